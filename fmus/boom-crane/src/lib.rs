@@ -1,0 +1,1 @@
+//! Mobile boom crane with a suspended payload.

@@ -1,0 +1,1 @@
+//! Source of an operator's command.

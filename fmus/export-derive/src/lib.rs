@@ -1,0 +1,1 @@
+//! The derive macro for the variables of a model.

@@ -1,0 +1,1 @@
+//! Input shaper for one axis.

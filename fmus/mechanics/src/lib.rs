@@ -1,0 +1,1 @@
+//! Suspended payloads and crane kinematics.

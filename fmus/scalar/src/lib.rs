@@ -1,0 +1,1 @@
+//! The number that model equations are written over: values and dependency sets.

@@ -1,0 +1,1 @@
+//! Design and analysis of input shapers.

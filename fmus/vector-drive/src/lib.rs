@@ -1,0 +1,1 @@
+//! Vector drive of one crane axis.

@@ -1,0 +1,1 @@
+//! Imports FMUs, wires them to systems and steps them together.

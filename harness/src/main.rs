@@ -1,0 +1,3 @@
+//! The `swayless` command.
+
+fn main() {}
