@@ -4,3 +4,5 @@
 //! the rest of Swayless never asks which version a description came from unless it must.
 
 pub mod types;
+pub mod write;
+mod xml_out;

@@ -67,6 +67,35 @@ pub struct ModelDescription {
     pub structure: ModelStructure,
 }
 
+impl ModelDescription {
+    /// A description with a name and a token and nothing else in it.
+    pub fn new(fmi_version: FmiVersion, model_name: impl Into<String>, instantiation_token: impl Into<String>) -> Self {
+        Self {
+            fmi_version,
+            model_name: model_name.into(),
+            instantiation_token: instantiation_token.into(),
+            description: None,
+            author: None,
+            version: None,
+            copyright: None,
+            license: None,
+            generation_tool: None,
+            generation_date_and_time: None,
+            variable_naming_convention: NamingConvention::default(),
+            model_exchange: None,
+            co_simulation: None,
+            scheduled_execution: None,
+            units: Vec::new(),
+            type_definitions: Vec::new(),
+            log_categories: Vec::new(),
+            default_experiment: None,
+            number_of_event_indicators: 0,
+            variables: Vec::new(),
+            structure: ModelStructure::default(),
+        }
+    }
+}
+
 /// `variableNamingConvention`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum NamingConvention {
@@ -213,6 +242,47 @@ pub enum DataType {
 }
 
 impl DataType {
+    /// Every type with the name of its element in FMI 3.0.
+    pub(crate) const NAMES: [(&'static str, Self); 15] = [
+        ("Float32", Self::Float32),
+        ("Float64", Self::Float64),
+        ("Int8", Self::Int8),
+        ("UInt8", Self::UInt8),
+        ("Int16", Self::Int16),
+        ("UInt16", Self::UInt16),
+        ("Int32", Self::Int32),
+        ("UInt32", Self::UInt32),
+        ("Int64", Self::Int64),
+        ("UInt64", Self::UInt64),
+        ("Boolean", Self::Boolean),
+        ("String", Self::String),
+        ("Binary", Self::Binary),
+        ("Enumeration", Self::Enumeration),
+        ("Clock", Self::Clock),
+    ];
+
+    /// The name of its element in FMI 3.0.
+    pub fn as_str(self) -> &'static str {
+        name_of(&Self::NAMES, self)
+    }
+
+    /// The least and the greatest value of an integer type or an enumeration (whose values are 32 bits wide in FMI 2.0);
+    /// `None` for the other types.
+    pub fn integer_range(self, version: FmiVersion) -> Option<(i128, i128)> {
+        Some(match self {
+            Self::Int8 => (i8::MIN.into(), i8::MAX.into()),
+            Self::UInt8 => (0, u8::MAX.into()),
+            Self::Int16 => (i16::MIN.into(), i16::MAX.into()),
+            Self::UInt16 => (0, u16::MAX.into()),
+            Self::Int32 => (i32::MIN.into(), i32::MAX.into()),
+            Self::UInt32 => (0, u32::MAX.into()),
+            Self::Enumeration if version == FmiVersion::V2 => (i32::MIN.into(), i32::MAX.into()),
+            Self::Int64 | Self::Enumeration => (i64::MIN.into(), i64::MAX.into()),
+            Self::UInt64 => (0, u64::MAX.into()),
+            _ => return None,
+        })
+    }
+
     /// Whether variables of this type can be continuous.
     pub fn is_float(self) -> bool {
         matches!(self, Self::Float32 | Self::Float64)
@@ -295,10 +365,49 @@ pub struct Variable {
     pub can_handle_multiple_set_per_time_instant: bool,
     /// `intermediateUpdate` (FMI 3.0).
     pub intermediate_update: bool,
+    /// `clocks`: the value references of the clocks it belongs to (FMI 3.0).
+    pub clocks: Vec<u32>,
+    /// `previous`: the variable that holds its value before the clock tick, as an index into
+    /// [`ModelDescription::variables`] (FMI 3.0).
+    pub previous: Option<usize>,
     /// `Alias` elements (FMI 3.0).
     pub aliases: Vec<Alias>,
     /// The line it begins in, 0 when it was not read from a file.
     pub line: usize,
+}
+
+impl Variable {
+    /// A scalar with nothing said about it but what every variable must say; `initial` is the standard's default for
+    /// this causality and variability.
+    pub fn new(
+        name: impl Into<String>,
+        value_reference: u32,
+        data_type: DataType,
+        causality: Causality,
+        variability: Variability,
+    ) -> Self {
+        Self {
+            name: name.into(),
+            value_reference,
+            description: None,
+            causality,
+            variability,
+            initial: Initial::default_for(causality, variability),
+            data_type,
+            declared_type: None,
+            attributes: Attributes::default(),
+            start: None,
+            dimensions: Vec::new(),
+            derivative: None,
+            reinit: false,
+            can_handle_multiple_set_per_time_instant: true,
+            intermediate_update: false,
+            clocks: Vec::new(),
+            previous: None,
+            aliases: Vec::new(),
+            line: 0,
+        }
+    }
 }
 
 /// `Alias`: another name of a variable.
@@ -312,7 +421,7 @@ pub struct Alias {
     pub display_unit: Option<String>,
 }
 
-/// `causality`.
+/// `causality`. Its names are [`Causality::as_str`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[allow(missing_docs, reason = "the names are the standard's")]
 pub enum Causality {
@@ -323,6 +432,24 @@ pub enum Causality {
     Output,
     Local,
     Independent,
+}
+
+impl Causality {
+    /// Every causality with its name in the XML.
+    pub(crate) const NAMES: [(&'static str, Self); 7] = [
+        ("structuralParameter", Self::StructuralParameter),
+        ("parameter", Self::Parameter),
+        ("calculatedParameter", Self::CalculatedParameter),
+        ("input", Self::Input),
+        ("output", Self::Output),
+        ("local", Self::Local),
+        ("independent", Self::Independent),
+    ];
+
+    /// The name in the XML.
+    pub fn as_str(self) -> &'static str {
+        name_of(&Self::NAMES, self)
+    }
 }
 
 /// `variability`.
@@ -336,6 +463,22 @@ pub enum Variability {
     Continuous,
 }
 
+impl Variability {
+    /// Every variability with its name in the XML.
+    pub(crate) const NAMES: [(&'static str, Self); 5] = [
+        ("constant", Self::Constant),
+        ("fixed", Self::Fixed),
+        ("tunable", Self::Tunable),
+        ("discrete", Self::Discrete),
+        ("continuous", Self::Continuous),
+    ];
+
+    /// The name in the XML.
+    pub fn as_str(self) -> &'static str {
+        name_of(&Self::NAMES, self)
+    }
+}
+
 /// `initial`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[allow(missing_docs, reason = "the names are the standard's")]
@@ -343,6 +486,37 @@ pub enum Initial {
     Exact,
     Approx,
     Calculated,
+}
+
+impl Initial {
+    /// Every initial with its name in the XML.
+    pub(crate) const NAMES: [(&'static str, Self); 3] =
+        [("exact", Self::Exact), ("approx", Self::Approx), ("calculated", Self::Calculated)];
+
+    /// The name in the XML.
+    pub fn as_str(self) -> &'static str {
+        name_of(&Self::NAMES, self)
+    }
+
+    /// What `initial` may be, its default first (FMI 2.0.5 section 2.2.7, FMI 3.0.2 section 2.4.7.4): nothing for the
+    /// independent variable; exact for inputs, which FMI 2.0 leaves unsaid. Empty for combinations that may not be.
+    pub fn allowed_for(causality: Causality, variability: Variability) -> &'static [Self] {
+        use Causality as C;
+        use Variability as V;
+        match (causality, variability) {
+            (C::StructuralParameter | C::Parameter, V::Fixed | V::Tunable)
+            | (C::Input, V::Discrete | V::Continuous)
+            | (C::Output | C::Local, V::Constant) => &[Self::Exact],
+            (C::CalculatedParameter | C::Local, V::Fixed | V::Tunable) => &[Self::Calculated, Self::Approx],
+            (C::Output | C::Local, V::Discrete | V::Continuous) => &[Self::Calculated, Self::Exact, Self::Approx],
+            _ => &[],
+        }
+    }
+
+    /// What `initial` is when it is not written.
+    pub fn default_for(causality: Causality, variability: Variability) -> Option<Self> {
+        Self::allowed_for(causality, variability).first().copied()
+    }
 }
 
 /// Start values, by type.
@@ -406,4 +580,25 @@ pub enum DependencyKind {
     Fixed,
     Tunable,
     Discrete,
+}
+
+impl DependencyKind {
+    /// Every kind with its name in the XML.
+    pub(crate) const NAMES: [(&'static str, Self); 5] = [
+        ("dependent", Self::Dependent),
+        ("constant", Self::Constant),
+        ("fixed", Self::Fixed),
+        ("tunable", Self::Tunable),
+        ("discrete", Self::Discrete),
+    ];
+
+    /// The name in the XML.
+    pub fn as_str(self) -> &'static str {
+        name_of(&Self::NAMES, self)
+    }
+}
+
+/// The name of a value; the tables above are complete, each next to its enumeration.
+fn name_of<T: Copy + PartialEq>(names: &[(&'static str, T)], value: T) -> &'static str {
+    names.iter().find(|(_, v)| *v == value).map_or("", |(name, _)| name)
 }
