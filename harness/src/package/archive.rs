@@ -1,0 +1,161 @@
+//! Writes an `.fmu`: a zip archive with the layout that each version of the standard lays down.
+//!
+//! Entries come in a fixed order with a fixed date, fixed permissions and one method of compression, so that equal
+//! contents give equal bytes.
+
+use std::io::{Seek, Write};
+use std::path::Path;
+
+use swayless_modeldesc::types::FmiVersion;
+use zip::write::{SimpleFileOptions, ZipWriter};
+use zip::{CompressionMethod, DateTime};
+
+use super::describe::Parts;
+use super::{Error, icon, page};
+
+/// What goes into both archives of an FMU.
+#[derive(Debug, Clone, Copy)]
+pub struct Contents<'a> {
+    /// What the library says about itself.
+    pub parts: &'a Parts,
+    /// The library.
+    pub binary: &'a [u8],
+    /// The licences.
+    pub license: Option<&'a str>,
+}
+
+/// Writes the archive for one version, by way of a temporary file: nobody ever sees half of one.
+pub fn write(path: &Path, version: FmiVersion, contents: &Contents) -> Result<(), Error> {
+    let entries = entries(version, contents)?;
+    let folder = path.parent().unwrap_or(Path::new("."));
+    std::fs::create_dir_all(folder).map_err(Error::io(folder))?;
+    let mut file = tempfile::Builder::new().suffix(".fmu").tempfile_in(folder).map_err(Error::io(folder))?;
+    pack(file.as_file_mut(), &entries).map_err(|source| Error::Zip { path: path.to_owned(), source })?;
+    readable_by_all(file.as_file()).map_err(Error::io(path))?;
+    file.persist(path).map_err(|e| Error::io(path)(e.error))?;
+    Ok(())
+}
+
+/// A temporary file belongs to its user alone; an FMU is for everyone.
+fn readable_by_all(file: &std::fs::File) -> std::io::Result<()> {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        file.set_permissions(std::fs::Permissions::from_mode(0o644))?;
+    }
+    let _ = file;
+    Ok(())
+}
+
+/// Names and contents, in the order in which they are packed: the description first, where a reader looks for it.
+fn entries(version: FmiVersion, contents: &Contents) -> Result<Vec<(String, Vec<u8>)>, Error> {
+    let Contents { parts, binary, license } = contents;
+    let page = page::page(&parts.name, &parts.documentation);
+    let svg = parts.icon.as_bytes();
+    let mut entries: Vec<(String, Vec<u8>)> = Vec::new();
+    let mut add = |name: &str, bytes: &[u8]| entries.push((name.to_owned(), bytes.to_owned()));
+    let binary_name = format!("binaries/{}/{}.{}", platform(version)?, parts.name, std::env::consts::DLL_EXTENSION);
+    match version {
+        FmiVersion::V2 => {
+            add("modelDescription.xml", parts.fmi2.as_bytes());
+            add("model.png", &icon::png(&parts.icon, &parts.name)?);
+        }
+        FmiVersion::V3 => {
+            add("modelDescription.xml", parts.fmi3.as_bytes());
+            // An SVG there requires the PNG beside it; `terminalsAndIcons.xml` is for terminals and may be absent.
+            add("terminalsAndIcons/icon.png", &icon::png(&parts.icon, &parts.name)?);
+            add("terminalsAndIcons/icon.svg", svg);
+        }
+    }
+    add("documentation/index.html", page.as_bytes());
+    if let Some(text) = license {
+        add("documentation/licenses/license.txt", text.as_bytes());
+    }
+    add(&binary_name, binary);
+    Ok(entries)
+}
+
+fn pack<W: Write + Seek>(writer: W, entries: &[(String, Vec<u8>)]) -> zip::result::ZipResult<()> {
+    let options = SimpleFileOptions::default()
+        .compression_method(CompressionMethod::Deflated)
+        .compression_level(Some(9))
+        .last_modified_time(DateTime::DEFAULT)
+        .unix_permissions(0o644);
+    let mut zip = ZipWriter::new(writer);
+    for (name, bytes) in entries {
+        zip.start_file(name.as_str(), options)?;
+        zip.write_all(bytes)?;
+    }
+    zip.finish()?;
+    Ok(())
+}
+
+/// What each version calls the platform this is compiled for.
+fn platform(version: FmiVersion) -> Result<&'static str, Error> {
+    use std::env::consts::{ARCH, OS};
+    Ok(match (version, ARCH, OS) {
+        (FmiVersion::V2, "x86_64", "linux") => "linux64",
+        (FmiVersion::V2, "x86_64", "windows") => "win64",
+        (FmiVersion::V2, "x86_64", "macos") => "darwin64",
+        // Since 2.0.4, other platforms have their FMI 3.0 names in FMI 2.0 too.
+        (FmiVersion::V3, "x86_64", "linux") => "x86_64-linux",
+        (FmiVersion::V3, "x86_64", "windows") => "x86_64-windows",
+        (FmiVersion::V3, "x86_64", "macos") => "x86_64-darwin",
+        (_, "aarch64", "linux") => "aarch64-linux",
+        (_, "aarch64", "windows") => "aarch64-windows",
+        (_, "aarch64", "macos") => "aarch64-darwin",
+        (_, arch, os) => return Err(Error::Platform { arch, os }),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::{Cursor, Read};
+
+    use super::*;
+
+    fn parts() -> Parts {
+        Parts {
+            name: "Sample".into(),
+            fmi2: "<two/>".into(),
+            fmi3: "<three/>".into(),
+            documentation: "# Sample\n\nWords.".into(),
+            icon: r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10"><path d="M0 0h9v9z"/></svg>"#.into(),
+        }
+    }
+
+    #[test]
+    fn each_version_has_its_layout() {
+        let parts = parts();
+        let contents = Contents { parts: &parts, binary: b"binary", license: Some("licence") };
+        let names = |version| entries(version, &contents).unwrap().into_iter().map(|(n, _)| n).collect::<Vec<_>>();
+        let (two, three) = (names(FmiVersion::V2), names(FmiVersion::V3));
+        for names in [&two, &three] {
+            assert_eq!(names[0], "modelDescription.xml");
+            assert!(names.contains(&"documentation/index.html".to_owned()));
+            assert!(names.contains(&"documentation/licenses/license.txt".to_owned()));
+        }
+        assert!(two.contains(&"model.png".to_owned()));
+        assert!(three.contains(&"terminalsAndIcons/icon.png".to_owned()));
+        assert!(three.contains(&"terminalsAndIcons/icon.svg".to_owned()));
+    }
+
+    #[test]
+    fn equal_contents_give_equal_bytes_that_unpack() {
+        let parts = parts();
+        let contents = Contents { parts: &parts, binary: &[7; 10_000], license: None };
+        let bytes = || {
+            let mut buffer = Cursor::new(Vec::new());
+            pack(&mut buffer, &entries(FmiVersion::V3, &contents).unwrap()).unwrap();
+            buffer.into_inner()
+        };
+        let first = bytes();
+        assert_eq!(first, bytes());
+        // `version needed to extract` at most 2.0, as the standard demands.
+        assert!(first[4] <= 20);
+        let mut archive = zip::ZipArchive::new(Cursor::new(first)).unwrap();
+        let mut text = String::new();
+        archive.by_name("modelDescription.xml").unwrap().read_to_string(&mut text).unwrap();
+        assert_eq!(text, "<three/>");
+    }
+}

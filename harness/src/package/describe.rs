@@ -1,0 +1,66 @@
+//! Asks an FMU library to describe itself. The only unsafe code of the packager.
+
+use std::ffi::{CStr, c_void};
+use std::path::Path;
+
+use swayless_abi::describe;
+
+use super::Error;
+
+/// What a library says about itself.
+#[derive(Debug)]
+pub struct Parts {
+    /// `modelIdentifier` of both model descriptions.
+    pub name: String,
+    /// `modelDescription.xml` for FMI 2.0.
+    pub fmi2: String,
+    /// `modelDescription.xml` for FMI 3.0.
+    pub fmi3: String,
+    /// The documentation, in Markdown.
+    pub documentation: String,
+    /// The icon, in SVG.
+    pub icon: String,
+}
+
+/// Loads the library and asks for all it can tell.
+pub fn describe(path: &Path) -> Result<Parts, Error> {
+    let load = |source| Error::Load { path: path.to_owned(), source };
+    // SAFETY: the library was just compiled from this workspace; loading an FMU runs no code of its own beyond the
+    // standard library's, and it stays loaded until `library` is dropped, after the last call.
+    let library = unsafe { libloading::Library::new(path) }.map_err(load)?;
+    // SAFETY: the symbol's type is fixed in `swayless_abi::describe`, from which the library exports it.
+    let symbol = unsafe { library.get::<describe::Describe>(describe::SYMBOL) }.map_err(load)?;
+    let ask = |item: &CStr| -> Result<String, Error> {
+        let mut answer = Vec::<u8>::new();
+        // SAFETY: `item` ends in NUL; `collect` fits the context, a vector that outlives the call and is used by
+        // nothing else during it.
+        let status = unsafe { symbol(item.as_ptr(), Some(collect), (&raw mut answer).cast()) };
+        if status != 0 {
+            return Err(Error::NoAnswer { path: path.to_owned(), item: item.to_string_lossy().into_owned() });
+        }
+        String::from_utf8(answer).map_err(|_| Error::bad_answer(path, item, "is not UTF-8"))
+    };
+    let (fmi2, fmi3) = (ask(describe::FMI2)?, ask(describe::FMI3)?);
+    let name = name(path, describe::FMI3, &fmi3)?;
+    if self::name(path, describe::FMI2, &fmi2)? != name {
+        return Err(Error::bad_answer(path, describe::FMI2, format!("is not named `{name}` as that for FMI 3.0")));
+    }
+    Ok(Parts { name, fmi2, fmi3, documentation: ask(describe::DOCUMENTATION)?, icon: ask(describe::ICON)? })
+}
+
+/// Takes the answer.
+unsafe extern "C" fn collect(context: *mut c_void, bytes: *const u8, count: usize) {
+    if context.is_null() || bytes.is_null() {
+        return;
+    }
+    // SAFETY: `describe` passes a vector as context and nothing else refers to it while the library is asked.
+    let answer = unsafe { &mut *context.cast::<Vec<u8>>() };
+    // SAFETY: `Sink` promises `count` bytes that are valid during the call.
+    answer.extend_from_slice(unsafe { std::slice::from_raw_parts(bytes, count) });
+}
+
+/// The model identifier in a model description. What lies in the archive is named after it.
+fn name(path: &Path, item: &CStr, xml: &str) -> Result<String, Error> {
+    let name = xml.split_once("modelIdentifier=\"").and_then(|(_, rest)| rest.split('"').next());
+    name.map(str::to_owned).ok_or_else(|| Error::bad_answer(path, item, "has no modelIdentifier"))
+}

@@ -1,0 +1,109 @@
+//! Compiles the workspace's FMU crates and packages each library for FMI 2.0 and FMI 3.0.
+//!
+//! The archive's description is asked from the library that lies in it, so the two cannot drift. The same source,
+//! toolchain and lock file give the same bytes from any folder: the compiler is told to leave local paths out, and
+//! everything in an archive that usually depends on the day or the machine is fixed.
+
+mod archive;
+mod compile;
+mod describe;
+mod error;
+mod icon;
+mod page;
+mod workspace;
+
+use std::path::{Path, PathBuf};
+
+use swayless_modeldesc::types::FmiVersion;
+
+pub use error::Error;
+
+/// What to build, from where and to where.
+#[derive(Debug, Clone, Default)]
+pub struct Options {
+    /// A `Cargo.toml`, or a folder in the workspace; the current folder unless given.
+    pub workspace: Option<PathBuf>,
+    /// Where cargo compiles; cargo's own choice unless given.
+    pub target_dir: Option<PathBuf>,
+    /// Where the folders `fmi2` and `fmi3` are made; `fmus` in the target folder unless given.
+    pub output_dir: Option<PathBuf>,
+    /// The FMUs wanted, by name (`BoomCrane`) or by crate (`boom-crane`); all when empty.
+    pub names: Vec<String>,
+}
+
+/// One FMU, packaged for both versions.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Package {
+    /// Its name: the file stem of both archives.
+    pub name: String,
+    /// What it is, in a line: the crate's description.
+    pub description: String,
+    /// The archive for FMI 2.0.
+    pub fmi2: PathBuf,
+    /// The archive for FMI 3.0.
+    pub fmi3: PathBuf,
+}
+
+/// What came of a build.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Built {
+    /// The folder that holds `fmi2` and `fmi3`.
+    pub output_dir: PathBuf,
+    /// The FMUs, in the order of their crates' names.
+    pub packages: Vec<Package>,
+    /// Names of FMUs whose library tells where it was built, so that its bytes depend on the folder.
+    pub with_local_paths: Vec<String>,
+}
+
+impl Built {
+    /// The folder with the archives for this version.
+    pub fn folder(&self, version: FmiVersion) -> PathBuf {
+        self.output_dir.join(folder(version))
+    }
+}
+
+/// Compiles and packages. What cargo has to say goes to stderr; `progress` hears of each archive before it is written.
+pub fn build(options: &Options, mut progress: impl FnMut(&str)) -> Result<Built, Error> {
+    let workspace = workspace::Workspace::find(options.workspace.as_deref())?;
+    let crates = workspace.select(&options.names)?;
+    let target_dir = absolute(options.target_dir.as_deref().unwrap_or(&workspace.target_dir))?;
+    let output_dir = match &options.output_dir {
+        Some(folder) => absolute(folder)?,
+        None => target_dir.join("fmus"),
+    };
+    let libraries = compile::compile(&workspace, &crates, &target_dir)?;
+    let license = workspace.license()?;
+    let mut built = Built { output_dir, packages: Vec::new(), with_local_paths: Vec::new() };
+    for (krate, library) in crates.iter().zip(libraries) {
+        progress(&krate.name);
+        let parts = describe::describe(&library)?;
+        let binary = std::fs::read(&library).map_err(Error::io(&library))?;
+        if compile::tells_where_it_was_built(&binary, &workspace) {
+            built.with_local_paths.push(parts.name.clone());
+        }
+        let contents = archive::Contents { parts: &parts, binary: &binary, license: license.as_deref() };
+        let write = |version| {
+            let path = built.output_dir.join(folder(version)).join(format!("{}.fmu", parts.name));
+            archive::write(&path, version, &contents).map(|()| path)
+        };
+        built.packages.push(Package {
+            fmi2: write(FmiVersion::V2)?,
+            fmi3: write(FmiVersion::V3)?,
+            description: krate.description.clone(),
+            name: parts.name,
+        });
+    }
+    Ok(built)
+}
+
+/// The name of the folder for a version.
+fn folder(version: FmiVersion) -> &'static str {
+    match version {
+        FmiVersion::V2 => "fmi2",
+        FmiVersion::V3 => "fmi3",
+    }
+}
+
+fn absolute(path: &Path) -> Result<PathBuf, Error> {
+    std::path::absolute(path).map_err(Error::io(path))
+}

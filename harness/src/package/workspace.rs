@@ -1,0 +1,91 @@
+//! Finds the FMU crates of a cargo workspace.
+
+use std::path::{Path, PathBuf};
+
+use cargo_metadata::{CrateType, MetadataCommand, TargetKind};
+
+use super::Error;
+
+/// A crate that builds an FMU.
+#[derive(Debug, Clone)]
+pub struct FmuCrate {
+    /// The package's name.
+    pub name: String,
+    /// The package's description.
+    pub description: String,
+}
+
+/// A workspace with its FMU crates, in the order of their names.
+#[derive(Debug)]
+pub struct Workspace {
+    /// Its folder.
+    pub root: PathBuf,
+    /// Where cargo compiles unless told otherwise.
+    pub target_dir: PathBuf,
+    crates: Vec<FmuCrate>,
+}
+
+impl Workspace {
+    /// Asks cargo about the workspace that this manifest or folder belongs to.
+    pub fn find(path: Option<&Path>) -> Result<Self, Error> {
+        let mut command = MetadataCommand::new();
+        command.no_deps();
+        match path {
+            Some(path) if path.is_dir() => command.current_dir(path),
+            Some(path) => command.manifest_path(path),
+            None => &mut command,
+        };
+        let metadata = command.exec().map_err(Error::Workspace)?;
+        let root = metadata.workspace_root.clone().into_std_path_buf();
+        let fmus = metadata.workspace_root.join("fmus");
+        let mut crates: Vec<FmuCrate> = metadata
+            .workspace_packages()
+            .into_iter()
+            .filter(|p| p.manifest_path.starts_with(&fmus))
+            .filter(|p| p.targets.iter().any(|t| is_cdylib(&t.kind, &t.crate_types)))
+            .map(|p| FmuCrate { name: p.name.to_string(), description: p.description.clone().unwrap_or_default() })
+            .collect();
+        crates.sort_by(|a, b| a.name.cmp(&b.name));
+        if crates.is_empty() {
+            return Err(Error::NoFmus(root));
+        }
+        Ok(Self { root, target_dir: metadata.target_directory.into_std_path_buf(), crates })
+    }
+
+    /// The crates of these names, or all when none is given.
+    pub fn select(&self, names: &[String]) -> Result<Vec<FmuCrate>, Error> {
+        for name in names {
+            if !self.crates.iter().any(|c| plain(&c.name) == plain(name)) {
+                let known: Vec<String> = self.crates.iter().map(|c| c.name.clone()).collect();
+                let suggestion = known
+                    .iter()
+                    .map(|k| (strsim::jaro_winkler(&plain(k), &plain(name)), k))
+                    .filter(|(likeness, _)| *likeness > 0.8)
+                    .max_by(|a, b| a.0.total_cmp(&b.0))
+                    .map(|(_, k)| k.clone());
+                return Err(Error::UnknownFmu { name: name.clone(), suggestion, known });
+            }
+        }
+        let wanted = |c: &&FmuCrate| names.is_empty() || names.iter().any(|n| plain(n) == plain(&c.name));
+        Ok(self.crates.iter().filter(wanted).cloned().collect())
+    }
+
+    /// The licences that every FMU carries, as one text.
+    pub fn license(&self) -> Result<Option<String>, Error> {
+        let read = |name: &str| {
+            let path = self.root.join(name);
+            if path.is_file() { std::fs::read_to_string(&path).map(Some).map_err(Error::io(&path)) } else { Ok(None) }
+        };
+        let (Some(mit), Some(apache)) = (read("LICENSE-MIT")?, read("LICENSE-APACHE")?) else { return Ok(None) };
+        Ok(Some(format!("Licensed under either of the following, at your option.\n\n{mit}\n\n{apache}")))
+    }
+}
+
+fn is_cdylib(kinds: &[TargetKind], types: &[CrateType]) -> bool {
+    kinds.contains(&TargetKind::CDyLib) || types.contains(&CrateType::CDyLib)
+}
+
+/// `BoomCrane`, `boom-crane` and `boom_crane` mean the same FMU.
+fn plain(name: &str) -> String {
+    name.chars().filter(char::is_ascii_alphanumeric).map(|c| c.to_ascii_lowercase()).collect()
+}
