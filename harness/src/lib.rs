@@ -1,3 +1,19 @@
 //! Imports FMUs, wires them to systems and steps them together.
 
+pub mod error;
+pub mod importer;
+pub mod master;
 pub mod package;
+pub mod recorder;
+pub mod signals;
+pub mod simulation;
+pub mod slave;
+pub mod system;
+
+pub use error::{Error, Result};
+pub use importer::Fmu;
+pub use master::AlgorithmKind;
+pub use recorder::{Column, CsvWriter, Observer, Recording, Value};
+pub use signals::InputSignals;
+pub use simulation::{Options, Summary, simulate};
+pub use system::System;
