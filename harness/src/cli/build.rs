@@ -1,0 +1,65 @@
+//! `swayless build`.
+
+use std::path::PathBuf;
+
+use swayless::package::{self, Options};
+
+use super::{Failure, Outcome, console};
+
+/// Compile the FMUs and package each for FMI 2.0 and FMI 3.0.
+///
+/// Writes <OUTPUT-DIR>/fmi2/<Name>.fmu and <OUTPUT-DIR>/fmi3/<Name>.fmu. The same source, toolchain and lock file give
+/// the same bytes from any folder. RUSTFLAGS in the environment and `build.rustflags` in a cargo configuration stay in
+/// force; `target.<triple>.rustflags` in a cargo configuration would let local paths into the binaries.
+#[derive(Debug, clap::Args)]
+pub struct Arguments {
+    /// FMUs to build, by name (BoomCrane) or crate (boom-crane) [default: all]
+    #[arg(value_name = "FMU")]
+    names: Vec<String>,
+    /// The workspace's folder or Cargo.toml [default: the one around the current folder]
+    #[arg(long, value_name = "PATH")]
+    workspace: Option<PathBuf>,
+    /// Where cargo compiles [default: cargo's own choice]
+    #[arg(long, value_name = "DIR")]
+    target_dir: Option<PathBuf>,
+    /// Where the folders fmi2 and fmi3 are made [default: `fmus` in the target folder]
+    #[arg(long, short, value_name = "DIR", visible_alias = "release-dir")]
+    output_dir: Option<PathBuf>,
+    /// Print the result as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let built = build(Options {
+        workspace: arguments.workspace.clone(),
+        target_dir: arguments.target_dir.clone(),
+        output_dir: arguments.output_dir.clone(),
+        names: arguments.names.clone(),
+    })?;
+    if arguments.json {
+        let fmus: Vec<_> = built
+            .packages
+            .iter()
+            .map(|p| serde_json::json!({ "name": p.name, "description": p.description, "fmi2": p.fmi2, "fmi3": p.fmi3 }))
+            .collect();
+        println!("{:#}", serde_json::json!(fmus));
+    } else {
+        for package in &built.packages {
+            println!("{}\n{}", package.fmi2.display(), package.fmi3.display());
+        }
+    }
+    Ok(Outcome::Done)
+}
+
+/// Builds, telling of the progress.
+pub fn build(options: Options) -> Result<package::Built, Failure> {
+    let built = package::build(&options, |krate| console::note(format_args!("   Packaging {krate}")))?;
+    for name in &built.with_local_paths {
+        console::warn(format_args!(
+            "the binary of {name} tells in which folder it was built, so it is not reproducible elsewhere; \
+             is `target.<triple>.rustflags` set in a cargo configuration?"
+        ));
+    }
+    Ok(built)
+}
