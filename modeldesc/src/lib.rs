@@ -6,3 +6,10 @@
 pub mod types;
 pub mod write;
 mod xml_out;
+
+#[cfg(feature = "read")]
+pub mod problem;
+#[cfg(feature = "read")]
+pub mod read;
+#[cfg(feature = "read")]
+mod xml_in;

@@ -8,10 +8,10 @@ use swayless_modeldesc::write::{WriteError, write};
 
 #[track_caller]
 fn golden(description: &ModelDescription, file: &str, expected: &str) {
-    let written = write(description).unwrap();
+    let written = write(description).expect("a good description");
     if std::env::var_os("UPDATE_GOLDEN").is_some() {
         let path = format!("{}/tests/golden/{file}", env!("CARGO_MANIFEST_DIR"));
-        std::fs::write(path, &written).unwrap();
+        std::fs::write(path, &written).expect("the source folder is writable");
     }
     assert_eq!(written, expected, "{file}; set UPDATE_GOLDEN to accept and then look at the difference");
 }
@@ -30,7 +30,7 @@ fn fmi3_is_written_as_expected() {
 fn refusal(change: impl FnOnce(&mut ModelDescription)) -> WriteError {
     let mut description = pendulum(FmiVersion::V2);
     change(&mut description);
-    write(&description).unwrap_err()
+    write(&description).expect_err("what FMI 2.0 cannot say")
 }
 
 #[test]
