@@ -5,6 +5,7 @@ pub mod importer;
 pub mod master;
 pub mod package;
 pub mod recorder;
+pub mod report;
 pub mod signals;
 pub mod simulation;
 pub mod slave;

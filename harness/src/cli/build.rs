@@ -41,7 +41,9 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         let fmus: Vec<_> = built
             .packages
             .iter()
-            .map(|p| serde_json::json!({ "name": p.name, "description": p.description, "fmi2": p.fmi2, "fmi3": p.fmi3 }))
+            .map(
+                |p| serde_json::json!({ "name": p.name, "description": p.description, "fmi2": p.fmi2, "fmi3": p.fmi3 }),
+            )
             .collect();
         println!("{:#}", serde_json::json!(fmus));
     } else {

@@ -1,0 +1,105 @@
+//! Reports of runs: one HTML file with interactive curves that needs nothing else, and pictures in SVG.
+//!
+//! A [`Report`] is plain data, so that what is shown is decided in one place and how it is drawn in another: [`html`]
+//! makes the page, [`svg`] a picture of one figure, [`run`] the report of any single run.
+
+pub mod html;
+pub mod palette;
+pub mod run;
+pub mod svg;
+mod thin;
+mod units;
+
+use std::sync::Arc;
+
+pub use units::Shown;
+
+/// What a page shows, from top to bottom.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Report {
+    /// The heading.
+    pub title: String,
+    /// What this is, one paragraph each.
+    pub introduction: Vec<String>,
+    /// Results in numbers.
+    pub tables: Vec<Table>,
+    /// Results in curves.
+    pub figures: Vec<Figure>,
+}
+
+/// A table of results.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Table {
+    /// What it is about.
+    pub title: String,
+    /// The columns' headings.
+    pub header: Vec<String>,
+    /// The rows; the first cell of each names the row.
+    pub rows: Vec<Vec<String>>,
+    /// What to know when reading it.
+    pub notes: Vec<String>,
+}
+
+/// Panels above each other that share the time axis.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Figure {
+    /// What it is about.
+    pub title: String,
+    /// What to see in it.
+    pub caption: String,
+    /// The panels, from top to bottom.
+    pub panels: Vec<Panel>,
+    /// A span of time (s) that is shaded, with the words that say why.
+    pub span: Option<(f64, f64, String)>,
+}
+
+/// Curves with one vertical axis.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Panel {
+    /// The axis's label, with its unit.
+    pub label: String,
+    /// Its height compared with other panels.
+    pub height: u32,
+    /// The curves, in the order in which they are drawn.
+    pub curves: Vec<Curve>,
+}
+
+/// One curve over time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curve {
+    /// Its name. Curves of one name are shown and hidden together, across the panels of a figure.
+    pub name: String,
+    /// The times (s), which several curves share.
+    pub times: Arc<[f64]>,
+    /// The values, one for each time.
+    pub values: Vec<f64>,
+    /// How it is drawn.
+    pub style: Style,
+    /// Whether each value holds until the next one rather than being joined to it.
+    pub held: bool,
+    /// Whether it is hidden until the reader asks for it.
+    pub hidden: bool,
+}
+
+/// How a curve is drawn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Style {
+    /// Its place in the [`palette`].
+    pub color: usize,
+    /// Its width, in pixels.
+    pub width: f64,
+    /// Its dashes, which tell it apart without colour.
+    pub dash: Dash,
+}
+
+/// The dashes of a curve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Dash {
+    /// None.
+    #[default]
+    Solid,
+    /// Long ones.
+    Dashed,
+    /// Short ones.
+    Dotted,
+}
