@@ -1,7 +1,9 @@
 //! Imports FMUs, wires them to systems and steps them together.
 
+pub mod archive;
 pub mod error;
 pub mod importer;
+mod loader;
 pub mod master;
 pub mod package;
 pub mod recorder;
@@ -10,6 +12,7 @@ pub mod signals;
 pub mod simulation;
 pub mod slave;
 pub mod system;
+pub mod validate;
 
 pub use error::{Error, Result};
 pub use importer::Fmu;
