@@ -23,7 +23,7 @@ pub struct Arguments {
     #[arg(long, value_name = "DIR")]
     target_dir: Option<PathBuf>,
     /// Where the folders fmi2 and fmi3 are made [default: `fmus` in the target folder]
-    #[arg(long, short, value_name = "DIR", visible_alias = "release-dir")]
+    #[arg(long, short, value_name = "DIR")]
     output_dir: Option<PathBuf>,
     /// Print the result as JSON
     #[arg(long)]

@@ -2,6 +2,11 @@
 
 mod build;
 mod console;
+mod demo;
+mod info;
+mod run;
+mod statistics;
+mod validate;
 
 use std::process::ExitCode;
 
@@ -25,27 +30,59 @@ struct Cli {
 #[derive(Debug, Subcommand)]
 enum Command {
     Build(build::Arguments),
+    Info(info::Arguments),
+    Validate(validate::Arguments),
+    Run(Box<run::Arguments>),
+    Demo(demo::Arguments),
 }
 
 /// How a command ended that did not fail.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Outcome {
     Done,
+    FoundProblems,
 }
 
 /// What ends a command early: any error of the library.
 type Failure = Box<dyn std::error::Error>;
 
+const FAILED: u8 = 1;
+const WRONG_USAGE: u8 = 2;
+const FOUND_PROBLEMS: u8 = 3;
+
 /// Runs what the arguments ask for. Clap itself ends the process with code 2 when they are wrong.
 pub fn main() -> ExitCode {
     let outcome = match Cli::parse().command {
         Command::Build(arguments) => build::run(&arguments),
+        Command::Info(arguments) => info::run(&arguments),
+        Command::Validate(arguments) => validate::run(&arguments),
+        Command::Run(arguments) => run::run(&arguments),
+        Command::Demo(arguments) => demo::run(&arguments),
     };
     match outcome {
         Ok(Outcome::Done) => ExitCode::SUCCESS,
+        Ok(Outcome::FoundProblems) => FOUND_PROBLEMS.into(),
+        // Whoever reads our output, such as `head`, has seen enough.
+        Err(failure) if console::is_closed_pipe(failure.as_ref()) => ExitCode::SUCCESS,
         Err(failure) => {
             console::error(failure.as_ref());
-            ExitCode::from(1)
+            if is_usage(failure.as_ref()) { WRONG_USAGE.into() } else { FAILED.into() }
         }
+    }
+}
+
+fn is_usage(failure: &(dyn std::error::Error + 'static)) -> bool {
+    let library = failure.downcast_ref::<swayless::Error>().is_some_and(swayless::Error::is_usage);
+    let package = failure.downcast_ref().is_some_and(|e| matches!(e, swayless::package::Error::UnknownFmu { .. }));
+    library || package
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        super::Cli::command().debug_assert();
     }
 }

@@ -4,6 +4,7 @@ use std::ffi::{CStr, c_void};
 use std::path::Path;
 
 use swayless_abi::describe;
+use swayless_modeldesc::problem::Severity;
 
 use super::Error;
 
@@ -59,8 +60,22 @@ unsafe extern "C" fn collect(context: *mut c_void, bytes: *const u8, count: usiz
     answer.extend_from_slice(unsafe { std::slice::from_raw_parts(bytes, count) });
 }
 
-/// The model identifier in a model description. What lies in the archive is named after it.
+/// The model identifier in a model description, after which the archive and the library in it are named.
 fn name(path: &Path, item: &CStr, xml: &str) -> Result<String, Error> {
-    let name = xml.split_once("modelIdentifier=\"").and_then(|(_, rest)| rest.split('"').next());
-    name.map(str::to_owned).ok_or_else(|| Error::bad_answer(path, item, "has no modelIdentifier"))
+    let bad = |problem: String| Error::bad_answer(path, item, problem);
+    let (description, problems) =
+        swayless_modeldesc::read::read(xml).map_err(|e| bad(format!("is unreadable: {e}")))?;
+    if let Some(problem) = problems.iter().find(|p| p.severity == Severity::Error) {
+        return Err(bad(format!("is wrong: {problem}")));
+    }
+    let name = description.co_simulation.or(description.model_exchange).map(|i| i.model_identifier).unwrap_or_default();
+    let is_identifier = |name: &str| {
+        name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
+            && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
+    };
+    if is_identifier(&name) {
+        Ok(name)
+    } else {
+        Err(bad(format!("has a modelIdentifier that names no file: `{name}`")))
+    }
 }

@@ -47,6 +47,8 @@ pub struct Package {
 /// What came of a build.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Built {
+    /// The workspace's folder.
+    pub workspace: PathBuf,
     /// The folder that holds `fmi2` and `fmi3`.
     pub output_dir: PathBuf,
     /// The FMUs, in the order of their crates' names.
@@ -73,7 +75,8 @@ pub fn build(options: &Options, mut progress: impl FnMut(&str)) -> Result<Built,
     };
     let libraries = compile::compile(&workspace, &crates, &target_dir)?;
     let license = workspace.license()?;
-    let mut built = Built { output_dir, packages: Vec::new(), with_local_paths: Vec::new() };
+    let mut built =
+        Built { workspace: workspace.root.clone(), output_dir, packages: Vec::new(), with_local_paths: Vec::new() };
     for (krate, library) in crates.iter().zip(libraries) {
         progress(&krate.name);
         let parts = describe::describe(&library)?;

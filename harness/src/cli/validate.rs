@@ -1,0 +1,54 @@
+//! `swayless validate`.
+
+use std::path::PathBuf;
+
+use serde_json::json;
+use swayless::validate::{Finding, validate};
+use swayless_modeldesc::problem::Severity;
+
+use super::{Failure, Outcome, console};
+
+/// Check FMUs against their standard, without running them.
+///
+/// Prints all problems, each with its place. Exits with 3 when a file has errors; warnings alone do not count.
+#[derive(Debug, clap::Args)]
+pub struct Arguments {
+    /// The .fmu files to check
+    #[arg(required = true, value_name = "FILE")]
+    files: Vec<PathBuf>,
+    /// Print as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let mut outcome = Outcome::Done;
+    let mut results = Vec::new();
+    for path in &arguments.files {
+        let findings = validate(path)?;
+        if findings.iter().any(|f| f.problem.severity == Severity::Error) {
+            outcome = Outcome::FoundProblems;
+        }
+        if arguments.json {
+            let problems: Vec<_> = findings.iter().map(json).collect();
+            results.push(json!({ "file": path, "problems": problems }));
+        } else if findings.is_empty() {
+            console::print(format_args!("{}: no problems", path.display()))?;
+        }
+        for finding in findings.iter().filter(|_| !arguments.json) {
+            console::print(format_args!("{}: {finding}", path.display()))?;
+        }
+    }
+    if arguments.json {
+        console::print(format_args!("{:#}", json!(results)))?;
+    }
+    Ok(outcome)
+}
+
+fn json(finding: &Finding) -> serde_json::Value {
+    let problem = &finding.problem;
+    let line = (problem.line > 0).then_some(problem.line);
+    json!({
+        "document": finding.document, "line": line, "severity": problem.severity.to_string(), "message": problem.message,
+    })
+}
