@@ -38,7 +38,7 @@ const DESCRIPTION: &str = "modelDescription.xml";
 pub fn validate(path: &Path) -> Result<Vec<Finding>> {
     let archive = match Unpacked::open(path) {
         Ok(archive) => archive,
-        Err(error) if error.is_invalid_file() => return Ok(vec![whole(Severity::Error, error.to_string())]),
+        Err(Error::Archive { problem, .. }) => return Ok(vec![whole(Severity::Error, problem.to_string())]),
         Err(error) => return Err(error),
     };
     let file = archive.folder().join(DESCRIPTION);
