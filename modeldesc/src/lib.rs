@@ -11,5 +11,7 @@ mod xml_out;
 pub mod problem;
 #[cfg(feature = "read")]
 pub mod read;
+#[cfg(feature = "ssp")]
+pub mod ssp;
 #[cfg(feature = "read")]
 mod xml_in;

@@ -166,6 +166,11 @@ pub(crate) fn join<T>(items: &[T], each: impl Fn(&T) -> String) -> String {
     items.iter().map(each).collect::<Vec<_>>().join(" ")
 }
 
+/// `xs:hexBinary`.
+pub(crate) fn hex(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02X}")).collect()
+}
+
 /// An attribute value; line breaks and tabs are written as references, or else the parser would make them spaces.
 fn escape(value: &str) -> Result<Cow<'static, str>, char> {
     let mut escaped = String::with_capacity(value.len());

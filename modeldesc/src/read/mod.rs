@@ -9,6 +9,9 @@ mod fmi2;
 mod fmi3;
 mod structure;
 
+#[cfg(feature = "ssp")]
+pub(crate) use common::base_unit;
+
 use crate::problem::{Problem, ReadError, Report};
 use crate::types::*;
 use crate::xml_in::{self, Fields, Node};

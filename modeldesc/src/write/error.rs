@@ -1,6 +1,6 @@
 //! Why a description could not be written.
 
-use crate::types::{DataType, FmiVersion};
+use crate::types::DataType;
 use crate::xml_out::IllegalCharacter;
 use std::error::Error;
 use std::fmt;
@@ -15,8 +15,8 @@ pub enum WriteError {
     NotInVersion {
         /// What there is no way to say, and of which variable or type.
         what: String,
-        /// The version.
-        version: FmiVersion,
+        /// The standard and its version, such as `FMI 2.0`.
+        version: String,
     },
     /// An index points past the variables.
     NoSuchVariable {
@@ -52,8 +52,8 @@ pub enum WriteError {
 
 impl WriteError {
     /// Something that a version cannot say.
-    pub(super) fn not_in(version: FmiVersion, what: impl Into<String>) -> Self {
-        Self::NotInVersion { what: what.into(), version }
+    pub(crate) fn not_in(version: &str, what: impl Into<String>) -> Self {
+        Self::NotInVersion { what: what.into(), version: version.to_owned() }
     }
 }
 
@@ -62,7 +62,7 @@ impl fmt::Display for WriteError {
         match self {
             Self::NoVariables => f.write_str("the description has no variables; declare at least one"),
             Self::NotInVersion { what, version } => {
-                write!(f, "{what} cannot be written in FMI {version}")
+                write!(f, "{what} cannot be written in {version}")
             }
             Self::NoSuchVariable { place, index } => {
                 write!(f, "{place} refers to variable {index}, which does not exist")

@@ -27,7 +27,7 @@ pub(super) fn write(document: &mut Document, description: &ModelDescription) -> 
 }
 
 fn refuse_what_is_new(description: &ModelDescription) -> Result<(), WriteError> {
-    let refuse = |what: String| Err(WriteError::not_in(VERSION, what));
+    let refuse = |what: String| Err(WriteError::not_in("FMI 2.0", what));
     if description.scheduled_execution.is_some() {
         return refuse("scheduled execution".to_owned());
     }
@@ -100,7 +100,7 @@ fn element_of(data_type: DataType, of: &str) -> Result<&'static str, WriteError>
         DataType::Enumeration => "Enumeration",
         _ => {
             let what = format!("the type {} of `{of}`", data_type.as_str());
-            return Err(WriteError::not_in(VERSION, what));
+            return Err(WriteError::not_in("FMI 2.0", what));
         }
     })
 }
@@ -116,7 +116,7 @@ fn types(document: &mut Document, types: &[TypeDefinition]) -> Result<(), WriteE
             && (definition.attributes.min.is_some() || definition.attributes.max.is_some())
         {
             let what = format!("bounds of the enumeration type `{}`", definition.name);
-            return Err(WriteError::not_in(VERSION, what));
+            return Err(WriteError::not_in("FMI 2.0", what));
         }
         let kind = attributes(kind, definition.data_type, &definition.attributes, VERSION, &definition.name)?;
         document.open(

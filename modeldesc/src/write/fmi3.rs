@@ -1,6 +1,7 @@
 //! What FMI 3.0 writes its own way: an element per type, references by value reference.
 
 use super::*;
+use crate::xml_out::hex;
 
 const VERSION: FmiVersion = FmiVersion::V3;
 
@@ -87,7 +88,7 @@ fn type_element(data_type: DataType, of: &str) -> Result<&'static str, WriteErro
 
 /// Our types do not hold what the standard demands of a clock (its `intervalVariability`).
 fn no_clocks(name: &str) -> WriteError {
-    WriteError::not_in(VERSION, format!("the clock `{name}`, without its interval,"))
+    WriteError::not_in("FMI 3.0", format!("the clock `{name}`, without its interval,"))
 }
 
 fn types(document: &mut Document, types: &[TypeDefinition]) -> Result<(), WriteError> {
@@ -171,9 +172,9 @@ fn start_elements(variable: &Variable) -> Option<Vec<Element>> {
     let element = |value: &str| Element::new("Start").text("value", value);
     match (&variable.start, variable.data_type) {
         (Some(Start::String(values)), DataType::String) => Some(values.iter().map(|v| element(v)).collect()),
-        (Some(Start::Binary(values)), DataType::Binary) => Some(
-            values.iter().map(|bytes| element(&bytes.iter().map(|b| format!("{b:02X}")).collect::<String>())).collect(),
-        ),
+        (Some(Start::Binary(values)), DataType::Binary) => {
+            Some(values.iter().map(|bytes| element(&hex(bytes))).collect())
+        }
         _ => None,
     }
 }

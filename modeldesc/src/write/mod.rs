@@ -66,11 +66,7 @@ fn units(document: &mut Document, units: &[Unit]) {
         }
         document.open(element);
         if let Some(base) = &unit.base {
-            let mut element = Element::new("BaseUnit");
-            for (symbol, exponent) in BaseUnit::SYMBOLS.into_iter().zip(base.exponents) {
-                element = element.unless_default(symbol, exponent, 0);
-            }
-            document.empty(conversion(element, base.factor, base.offset));
+            document.empty(base_unit("BaseUnit", base));
         }
         for display in &unit.display_units {
             let element = Element::new("DisplayUnit").text("name", &display.name);
@@ -78,6 +74,15 @@ fn units(document: &mut Document, units: &[Unit]) {
         }
         document.close();
     });
+}
+
+/// `BaseUnit`, which SSP writes in the same way under its own name.
+pub(crate) fn base_unit(name: &'static str, base: &BaseUnit) -> Element {
+    let mut element = Element::new(name);
+    for (symbol, exponent) in BaseUnit::SYMBOLS.into_iter().zip(base.exponents) {
+        element = element.unless_default(symbol, exponent, 0);
+    }
+    conversion(element, base.factor, base.offset)
 }
 
 fn conversion(mut element: Element, factor: f64, offset: f64) -> Element {

@@ -133,9 +133,14 @@ impl Child {
 
 /// Reports elements that do not belong into `node`, stand in the wrong order, too often, or not at all.
 pub(crate) fn check_children(node: &Node, allowed: &[Child], report: &mut Report) {
+    check_children_but(node, allowed, &[], report);
+}
+
+/// Like [`check_children`], but `ignored` elements may stand anywhere.
+pub(crate) fn check_children_but(node: &Node, allowed: &[Child], ignored: &[&str], report: &mut Report) {
     let mut seen = vec![0_usize; allowed.len()];
     let mut last = 0;
-    for child in &node.children {
+    for child in node.children.iter().filter(|child| !ignored.contains(&child.name.as_str())) {
         match allowed.iter().position(|candidate| candidate.name() == child.name) {
             None => {
                 report.error(child.line, format!("`{}` does not belong into `{}`; remove it", child.name, node.name))

@@ -6,6 +6,8 @@
 mod fields;
 mod values;
 
+#[cfg(feature = "ssp")]
+pub(crate) use fields::check_children_but;
 pub(crate) use fields::{Child, Fields, check_children};
 pub(crate) use values::{Parse, hex_bytes, parse_list};
 
