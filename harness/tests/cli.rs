@@ -1,0 +1,100 @@
+//! The command from outside: what it prints where, and how it exits.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use zip::write::{SimpleFileOptions, ZipWriter};
+
+const FAILED: i32 = 1;
+const WRONG_USAGE: i32 = 2;
+const FOUND_PROBLEMS: i32 = 3;
+
+fn swayless(arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_swayless"));
+    command.args(arguments).current_dir(env!("CARGO_MANIFEST_DIR")).output().unwrap()
+}
+
+#[track_caller]
+fn exits(arguments: &[&str], code: i32) -> (String, String) {
+    let output = swayless(arguments);
+    let text = |bytes: &[u8]| String::from_utf8(bytes.to_owned()).unwrap();
+    let (stdout, stderr) = (text(&output.stdout), text(&output.stderr));
+    assert_eq!(output.status.code(), Some(code), "{arguments:?}\n{stdout}\n{stderr}");
+    assert!(!stderr.contains("panicked"), "{stderr}");
+    (stdout, stderr)
+}
+
+/// Packs entries into an archive.
+fn archive(folder: &Path, name: &str, entries: &[(&str, &str)]) -> PathBuf {
+    let path = folder.join(name);
+    let mut zip = ZipWriter::new(std::fs::File::create(&path).unwrap());
+    for (name, text) in entries {
+        zip.start_file(*name, SimpleFileOptions::default()).unwrap();
+        zip.write_all(text.as_bytes()).unwrap();
+    }
+    zip.finish().unwrap();
+    path
+}
+
+#[test]
+fn every_command_has_help() {
+    let (all, _) = exits(&["--help"], 0);
+    for command in ["build", "info", "validate", "run", "demo"] {
+        assert!(all.contains(command), "{all}");
+        let (help, errors) = exits(&[command, "--help"], 0);
+        assert!(help.contains("Usage: swayless") && errors.is_empty(), "{help}");
+    }
+}
+
+#[test]
+fn wrong_usage_exits_with_2() {
+    exits(&[], WRONG_USAGE);
+    exits(&["fly"], WRONG_USAGE);
+    exits(&["run"], WRONG_USAGE);
+    exits(&["run", "x.fmu", "--step-size", "small"], WRONG_USAGE);
+    exits(&["run", "x.fmu", "--start-value", "speed"], WRONG_USAGE);
+    let (_, message) = exits(&["build", "BoomCrone"], WRONG_USAGE);
+    assert!(message.contains("did you mean `boom-crane`?"), "{message}");
+}
+
+#[test]
+fn a_missing_file_is_named_and_exits_with_1() {
+    for command in ["info", "validate", "run"] {
+        let (stdout, message) = exits(&[command, "no/such.fmu"], FAILED);
+        assert!(stdout.is_empty());
+        assert!(message.starts_with("error: ") && message.contains("no/such.fmu"), "{message}");
+    }
+}
+
+#[test]
+fn validation_tells_all_problems_and_exits_with_3() {
+    let folder = tempfile::tempdir().unwrap();
+    let description = "<?xml version=\"1.0\"?>\n<fmiModelDescription fmiVersion=\"3.0\" modelName=\"M\" bogus=\"1\">\n\
+                       <CoSimulation modelIdentifier=\"M\"/>\n<ModelVariables/>\n<ModelStructure/>\n\
+                       </fmiModelDescription>\n";
+    let fmu = archive(folder.path(), "m.fmu", &[("modelDescription.xml", description)]);
+    let fmu = fmu.to_str().unwrap();
+    let (stdout, stderr) = exits(&["validate", fmu], FOUND_PROBLEMS);
+    assert!(stderr.is_empty());
+    assert!(stdout.contains("modelDescription.xml: line 2: error:"), "{stdout}");
+    assert!(
+        stdout.contains("instantiationToken") && stdout.contains("bogus") && stdout.contains("binaries/"),
+        "{stdout}"
+    );
+
+    let (json, _) = exits(&["validate", "--json", fmu], FOUND_PROBLEMS);
+    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    assert!(json[0]["problems"].as_array().unwrap().len() >= 3);
+}
+
+#[test]
+fn a_broken_archive_is_a_problem_of_the_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("broken.fmu");
+    std::fs::write(&path, "this is no archive").unwrap();
+    let path = path.to_str().unwrap();
+    let (stdout, _) = exits(&["validate", path], FOUND_PROBLEMS);
+    assert!(stdout.contains("zip archive"), "{stdout}");
+    exits(&["run", path], FAILED);
+}
