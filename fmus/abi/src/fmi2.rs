@@ -55,8 +55,7 @@ pub const LAST_SUCCESSFUL_TIME: StatusKind = 2;
 pub const TERMINATED: StatusKind = 3;
 
 /// `fmi2CallbackLogger`: printf-like, so texts are passed through `"%s"`.
-pub type CallbackLogger =
-    Option<unsafe extern "C" fn(ComponentEnvironment, String, Status, String, String, ...)>;
+pub type CallbackLogger = Option<unsafe extern "C" fn(ComponentEnvironment, String, Status, String, String, ...)>;
 /// `fmi2CallbackAllocateMemory`.
 pub type CallbackAllocateMemory = Option<unsafe extern "C" fn(usize, usize) -> *mut c_void>;
 /// `fmi2CallbackFreeMemory`.
@@ -107,8 +106,8 @@ macro_rules! fmi2_functions {
     ([$($callback:tt)*] $($extra:tt)*) => {
         $($callback)*! {
             [$($extra)*]
-            fn fmi2GetTypesPlatform() -> *const c_char;
-            fn fmi2GetVersion() -> *const c_char;
+            fn fmi2GetTypesPlatform() -> String;
+            fn fmi2GetVersion() -> String;
             fn fmi2SetDebugLogging(
                 c: Component, logging_on: Boolean, n_categories: usize, categories: *const String
             ) -> Status;

@@ -81,7 +81,7 @@ macro_rules! fmi3_functions {
     ([$($callback:tt)*] $($extra:tt)*) => {
         $($callback)*! {
             [$($extra)*]
-            fn fmi3GetVersion() -> *const c_char;
+            fn fmi3GetVersion() -> String;
             fn fmi3SetDebugLogging(
                 instance: Instance, logging_on: Boolean, n_categories: usize, categories: *const String
             ) -> Status;

@@ -6,6 +6,6 @@
 #[macro_use]
 mod pointers;
 
+pub mod describe;
 pub mod fmi2;
 pub mod fmi3;
-pub mod describe;

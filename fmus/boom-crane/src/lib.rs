@@ -1,1 +1,119 @@
-//! Mobile boom crane with a suspended payload.
+//! `BoomCrane`: a mobile boom crane with a suspended payload, driven by rates (thesis 2.1).
+
+use swayless_export::{Environment, Event, Info, Model, Point, Problem, Scalar, Variables, export_fmu};
+use swayless_mechanics::{Boom, BoomRates, Payload, Suspension, Swing, SwingFrame, Vector};
+
+mod variables;
+
+use variables::{Inputs, Outputs, Parameters, States};
+
+/// The model.
+struct BoomCrane;
+
+/// What the equations share at one point in time.
+struct Motion<R: Scalar> {
+    boom: Boom<R>,
+    rates: BoomRates<R>,
+    frame: SwingFrame<R>,
+    payload: Payload<R>,
+    suspension: Suspension<R>,
+}
+
+fn motion<R: Scalar>(p: &Parameters<R>, u: &Inputs<R>, x: &States<R>) -> Motion<R> {
+    let boom = Boom {
+        base: [x.base.x, x.base.y],
+        yaw: x.base.yaw,
+        slew: x.slew.angle,
+        luff: x.luff.angle,
+        length: p.boom.length,
+        offset: p.boom.offset,
+        height: p.boom.height,
+    };
+    let rates = BoomRates {
+        base: [u.base.velocity.x, u.base.velocity.y],
+        yaw: u.base.yaw_rate,
+        slew: u.slew.rate,
+        luff: u.luff.rate,
+    };
+    let frame = boom.swing_frame(&rates);
+    let payload =
+        Payload { direction: Vector::from(x.cable.direction), velocity: Vector::from(x.payload.velocity_across) };
+    let suspension =
+        Suspension { pivot: boom.tip_velocity(&frame, &rates), length: x.hoist.length, length_rate: u.hoist.rate };
+    Motion { boom, rates, frame, payload, suspension }
+}
+
+impl Model for BoomCrane {
+    const INFO: Info = Info {
+        name: "BoomCrane",
+        description: "Mobile boom crane with a suspended payload, driven by rates",
+        documentation: include_str!("../README.md"),
+        icon: include_str!("../icon.svg"),
+        stop_time: 20.0,
+        step_size: 0.01,
+    };
+    type Parameters<R: Scalar> = Parameters<R>;
+    type Inputs<R: Scalar> = Inputs<R>;
+    type States<R: Scalar> = States<R>;
+    type Outputs<R: Scalar> = Outputs<R>;
+    type Discrete<R: Scalar> = ();
+    type Memory = ();
+    type Indicators = [f64; 0];
+
+    fn memory(_: &Parameters<f64>, _: &Environment<'_>) -> Result<(), Problem> {
+        Ok(())
+    }
+
+    fn start<R: Scalar>(p: &Parameters<R>, _: &Inputs<R>, declared: &States<R>) -> States<R> {
+        let mut x = declared.clone();
+        let frame = SwingFrame::new(x.base.yaw + x.slew.angle, R::zero());
+        let angles = Swing { radial: p.swing.radial_start, tangential: p.swing.tangential_start };
+        let rates = Swing { radial: p.swing.radial_rate_start, tangential: p.swing.tangential_rate_start };
+        let payload = Payload::started(frame.direction(angles), frame.direction_rate(angles, rates), x.hoist.length);
+        x.cable.direction = payload.direction.into();
+        x.payload.velocity_across = payload.velocity.into();
+        x
+    }
+
+    fn derivatives<R: Scalar>(at: &Point<'_, Self, R>) -> States<R> {
+        let Motion { rates, payload, suspension, .. } = motion(at.p, at.u, at.x);
+        let wind = Vector::new(at.u.wind.x, at.u.wind.y, at.u.wind.z) / at.p.payload.mass;
+        let pull = wind - Vector::new(R::zero(), R::zero(), at.p.gravity);
+        let payload = payload.rates(&suspension, pull, at.p.swing.damping);
+        let mut dx = at.x.clone();
+        [dx.base.x, dx.base.y] = rates.base;
+        dx.base.yaw = rates.yaw;
+        dx.slew.angle = rates.slew;
+        dx.luff.angle = rates.luff;
+        dx.hoist.length = suspension.length_rate;
+        dx.cable.direction = payload.direction.into();
+        dx.payload.velocity_across = payload.velocity.into();
+        dx
+    }
+
+    fn outputs<R: Scalar>(at: &Point<'_, Self, R>) -> Outputs<R> {
+        let Motion { boom, frame, payload, suspension, .. } = motion(at.p, at.u, at.x);
+        let n = payload.unit();
+        let swing = frame.angles(n);
+        let rates = frame.rates(n, payload.direction_rate(&suspension));
+        let tip = boom.tip(&frame);
+        let position = tip + n * suspension.length;
+        let mut y = Outputs::start();
+        (y.swing.radial, y.swing.tangential) = (swing.radial, swing.tangential);
+        (y.swing.radial_rate, y.swing.tangential_rate) = (rates.radial, rates.tangential);
+        y.swing.amplitude = payload.amplitude(&suspension, at.p.gravity);
+        (y.tip.x, y.tip.y, y.tip.z) = (tip.x, tip.y, tip.z);
+        (y.payload.x, y.payload.y, y.payload.z) = (position.x, position.y, position.z);
+        y
+    }
+
+    fn indicators(_: &Point<'_, Self, f64>) -> [f64; 0] {
+        []
+    }
+
+    fn event(_: &mut Event<'_, Self>) -> Option<f64> {
+        None
+    }
+}
+
+export_fmu!(BoomCrane);

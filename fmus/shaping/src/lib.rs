@@ -1,1 +1,40 @@
 //! Design and analysis of input shapers.
+//!
+//! An input shaper is a train of impulses. Convolved with a command, it leaves a lightly damped mode without the residual
+//! vibration that the bare command would have excited. [`design`] gives the train of one [`Kind`] for one [`Mode`];
+//! [`residual_vibration`], [`sensitivity_curve`] and [`insensitivity`] say how good it is when the mode is not quite what
+//! was designed for; [`Trains`] shapes a command that changes at any time, with a design that may change too.
+//!
+//! ```
+//! use swayless_shaping::{Kind, Mode, design, insensitivity, residual_vibration};
+//!
+//! let load = Mode::new((9.81_f64 / 10.0).sqrt(), 0.01)?; // a load on 10 m of cable
+//! let shaper = design(Kind::ZVD, load, 0.0)?;
+//! assert!(residual_vibration(&shaper, load.frequency(), load.damping_ratio()) < 1e-15);
+//! assert!(insensitivity(&shaper, load, 0.05) > 0.28); // ±14 % of frequency for 5 % of vibration
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Units are SI: seconds, rad/s. Amplitudes are shares of the command and sum to 1. Equation numbers are those of
+//! D. Danielson, *Mobile Boom Cranes and Advanced Input Shaping Control*, Georgia Institute of Technology, 2008.
+//! Nothing in a design allocates: a design may be renewed inside a simulation step.
+
+mod analysis;
+mod binomial;
+mod design;
+mod ei;
+mod error;
+mod even;
+mod insensitivity;
+mod mode;
+mod shaper;
+mod train;
+mod umzv;
+
+pub use analysis::{Sensitivity, residual_vibration, sensitivity_curve};
+pub use design::{Kind, design};
+pub use error::{DesignError, ModeError, ShaperError};
+pub use insensitivity::{Band, band, insensitivity};
+pub use mode::Mode;
+pub use shaper::{Impulse, MAX_IMPULSES, Shaper};
+pub use train::{Pending, Trains};

@@ -1,0 +1,144 @@
+//! Getting and setting variables by value reference.
+
+use crate::declaration::Declaration;
+use crate::instance::{Instance, Refusal, range};
+use crate::layout::{Block, Layout};
+use crate::model::Model;
+use crate::phase::{Interface, Phase};
+use crate::variables::{Value, Variables};
+
+impl<M: Model> Instance<M> {
+    /// Where a value reference points.
+    pub(crate) fn locate(&self, reference: u32) -> Result<(Block, usize), Refusal> {
+        Layout::<M>::locate(reference)
+            .ok_or_else(|| Refusal::error(format!("there is no variable with value reference {reference}")))
+    }
+
+    /// Initializes, if start values have been set since: outputs must be consistent whenever they are read.
+    pub(crate) fn ready(&mut self) -> Result<(), Refusal> {
+        if self.uninitialized && self.phase == Phase::Initialization {
+            self.initialize()?;
+        }
+        Ok(())
+    }
+
+    /// The value of a scalar.
+    #[inline]
+    pub fn get(&mut self, block: Block, index: usize) -> Result<Value<'_, f64>, Refusal> {
+        if self.uninitialized {
+            self.ready()?;
+        }
+        Ok(match block {
+            Block::Time => Value::Real(self.t),
+            Block::Parameters => self.p.get(index),
+            Block::Inputs => self.u.get(index),
+            Block::States => self.x.get(index),
+            Block::Derivatives => {
+                self.refresh_derivatives()?;
+                self.dx.get(index)
+            }
+            Block::Outputs => {
+                self.refresh_outputs()?;
+                self.y.get(index)
+            }
+            Block::Discrete => self.d.get(index),
+            Block::Indicators => Value::Real(M::indicators(&self.point()?).as_ref()[index]),
+        })
+    }
+
+    /// Sets a scalar, where the phase allows it.
+    #[inline]
+    pub fn set(&mut self, block: Block, index: usize, value: Value<'_, f64>) -> Result<(), Refusal> {
+        let starting = matches!(self.phase, Phase::Instantiated | Phase::Initialization);
+        match block {
+            Block::Inputs => {
+                if self.phase == Phase::ContinuousTime && self.input(index).is_none_or(|input| input.discrete) {
+                    return self.not_now(block, index, "a discrete input changes in Event Mode only");
+                }
+                if self.u.get(index) == value {
+                    return Ok(());
+                }
+                if !self.u.set(index, value) {
+                    return self.wrong_type(block, index, value);
+                }
+                self.disturbed = true;
+                self.uninitialized |= starting;
+                self.moved();
+            }
+            Block::Parameters => {
+                let Some(declaration) = covering(&self.parameter_declarations, index) else {
+                    return Err(Refusal::error(format!("there is no parameter {index}")));
+                };
+                if !starting {
+                    if !declaration.tunable {
+                        return self.not_now(block, index, "a fixed parameter is set before initialization ends");
+                    }
+                    if self.phase == Phase::ContinuousTime {
+                        return self.not_now(block, index, "a tunable parameter changes in Event Mode only");
+                    }
+                    if let Value::Real(value) = value
+                        && !declaration.allows(value)
+                    {
+                        let name = Layout::<M>::name(block, index);
+                        return Err(Refusal::discard(format!("{name} is {value}; {}", range(declaration))));
+                    }
+                }
+                if !self.p.set(index, value) {
+                    return self.wrong_type(block, index, value);
+                }
+                self.disturbed = true;
+                self.uninitialized |= starting;
+                self.moved();
+            }
+            Block::States => {
+                if !starting {
+                    return self.not_now(block, index, "a start value is set before initialization ends");
+                }
+                if covering(&self.state_declarations, index).is_none_or(|state| state.calculated) {
+                    return self.not_now(block, index, "its initial value is calculated");
+                }
+                if !self.declared.set(index, value) {
+                    return self.wrong_type(block, index, value);
+                }
+                self.uninitialized = true;
+                self.moved();
+            }
+            Block::Time | Block::Derivatives | Block::Outputs | Block::Discrete | Block::Indicators => {
+                return self.not_now(block, index, "it is calculated by the FMU");
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether a variable that can be set is an enumeration.
+    pub(crate) fn is_enumeration(&self, reference: u32) -> bool {
+        let value = match Layout::<M>::locate(reference) {
+            Some((Block::Parameters, index)) => self.p.get(index),
+            Some((Block::Inputs, index)) => self.u.get(index),
+            _ => return false,
+        };
+        matches!(value, Value::Enumeration(_))
+    }
+
+    fn input(&self, index: usize) -> Option<&Declaration> {
+        covering(&self.input_declarations, index)
+    }
+
+    fn not_now(&self, block: Block, index: usize, why: &str) -> Result<(), Refusal> {
+        let mode = match self.interface {
+            Interface::ModelExchange => "model exchange",
+            Interface::CoSimulation => "co-simulation",
+        };
+        let name = Layout::<M>::name(block, index);
+        Err(Refusal::error(format!("{name} cannot be set in phase {:?} of {mode}: {why}", self.phase)))
+    }
+
+    fn wrong_type(&self, block: Block, index: usize, value: Value<'_, f64>) -> Result<(), Refusal> {
+        let name = Layout::<M>::name(block, index);
+        Err(Refusal::error(format!("{name} does not take {value:?}: it is of another type or has no such item")))
+    }
+}
+
+fn covering(declarations: &[Declaration], index: usize) -> Option<&Declaration> {
+    declarations.iter().find(|d| (d.first..d.first + d.count()).contains(&index))
+}

@@ -1,0 +1,107 @@
+//! Declarations of variables, and the walk that collects them.
+
+use crate::unit::Unit;
+use crate::variables::Enumeration;
+
+/// The type of a variable.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Kind {
+    /// A real number.
+    Real,
+    /// An integer.
+    Integer,
+    /// A truth value.
+    Boolean,
+    /// A text.
+    Text,
+    /// One of some items.
+    Enumeration {
+        /// The name of the type.
+        name: &'static str,
+        /// Names and descriptions of the items.
+        items: &'static [(&'static str, &'static str)],
+    },
+}
+
+impl Kind {
+    /// The kind of an enumeration.
+    pub const fn enumeration<E: Enumeration>() -> Self {
+        Self::Enumeration { name: E::NAME, items: E::ITEMS }
+    }
+}
+
+/// What is declared of a variable at its field.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Declaration {
+    /// Its name; the names of the groups around it stand before, each with a dot.
+    pub name: String,
+    /// Its documentation.
+    pub description: &'static str,
+    /// Its type.
+    pub kind: Kind,
+    /// The length of an array.
+    pub dimension: Option<usize>,
+    /// Its unit.
+    pub unit: Option<Unit>,
+    /// The least value.
+    pub min: Option<f64>,
+    /// The greatest value.
+    pub max: Option<f64>,
+    /// A typical magnitude.
+    pub nominal: Option<f64>,
+    /// A state or discrete variable that is an output.
+    pub output: bool,
+    /// A parameter that may change while the simulation runs.
+    pub tunable: bool,
+    /// An input that changes at events only.
+    pub discrete: bool,
+    /// A state whose initial value is calculated.
+    pub calculated: bool,
+    /// The inputs and states that a discrete variable depends on; `None` means all.
+    pub depends_on: Option<&'static [&'static str]>,
+    /// The index of its first scalar within its struct.
+    pub first: usize,
+}
+
+impl Declaration {
+    /// How many scalars it has.
+    pub fn count(&self) -> usize {
+        self.dimension.unwrap_or(1)
+    }
+
+    /// Whether a number lies within the bounds.
+    pub fn allows(&self, value: f64) -> bool {
+        value.is_finite() && self.min.is_none_or(|min| value >= min) && self.max.is_none_or(|max| value <= max)
+    }
+}
+
+/// Collects declarations and puts the names of groups before them.
+pub struct Declarer<'a> {
+    prefix: String,
+    next: usize,
+    sink: &'a mut dyn FnMut(Declaration),
+}
+
+impl<'a> Declarer<'a> {
+    /// A walk that hands every declaration to `sink`.
+    pub fn new(sink: &'a mut dyn FnMut(Declaration)) -> Self {
+        Self { prefix: String::new(), next: 0, sink }
+    }
+
+    /// Takes a variable.
+    pub fn variable(&mut self, mut declaration: Declaration) {
+        declaration.name.insert_str(0, &self.prefix);
+        declaration.first = self.next;
+        self.next += declaration.count();
+        (self.sink)(declaration);
+    }
+
+    /// Takes the variables of a group.
+    pub fn group(&mut self, name: &str, declare: impl FnOnce(&mut Declarer<'_>)) {
+        let length = self.prefix.len();
+        self.prefix.push_str(name);
+        self.prefix.push('.');
+        declare(self);
+        self.prefix.truncate(length);
+    }
+}

@@ -1,0 +1,219 @@
+//! The continuous part of co-simulation: integrates from event to event and finds where state events lie.
+
+use crate::instance::{Instance, Refusal};
+use crate::integrator::DormandPrince;
+use crate::layout::{Block, Layout};
+use crate::model::{Model, Point};
+use crate::variables::Variables;
+
+/// A step shorter than this part of the time is taken as stuck.
+const SHORTEST: f64 = 1e-15;
+/// The bracket of an event is narrow enough long before.
+const MOST_TRIALS: usize = 150;
+
+/// The integrator with its buffers.
+pub struct Flow<M: Model> {
+    rk: DormandPrince,
+    x: Vec<f64>,
+    before: Vec<f64>,
+    nominal: Vec<f64>,
+    /// x as the model sees it, while a step is under way.
+    scratch: M::States<f64>,
+    /// The length that the error control wants for the next step.
+    h: f64,
+    /// The first stage holds the derivatives at x.
+    primed: bool,
+    z: Option<M::Indicators>,
+}
+
+impl<M: Model> Flow<M> {
+    /// With buffers for the model's states.
+    pub fn new() -> Self {
+        let n = Layout::<M>::STATE_COUNT;
+        let mut nominal = vec![1.0; n];
+        for declaration in Layout::<M>::declarations(Block::States) {
+            if let Some(value) = declaration.nominal {
+                nominal[declaration.first..declaration.first + declaration.count()].fill(value);
+            }
+        }
+        Self {
+            rk: DormandPrince::new(n),
+            x: vec![0.0; n],
+            before: vec![0.0; n],
+            nominal,
+            scratch: Variables::start(),
+            h: f64::INFINITY,
+            primed: false,
+            z: None,
+        }
+    }
+
+    /// Forgets all of the past.
+    pub fn restart(&mut self) {
+        self.h = f64::INFINITY;
+        self.begin_anew();
+    }
+
+    /// Something has jumped: derivatives and indicators must be evaluated again.
+    pub fn begin_anew(&mut self) {
+        self.primed = false;
+        self.z = None;
+    }
+
+    /// Keeps the states, to tell later whether they jumped.
+    pub fn remember_states(&mut self, x: &M::States<f64>) {
+        x.write_reals(&mut self.before);
+    }
+
+    /// Whether the states differ from those remembered.
+    pub fn states_differ(&mut self, x: &M::States<f64>) -> bool {
+        x.write_reals(&mut self.x);
+        self.x != self.before
+    }
+}
+
+/// The equations with all but time and states held.
+struct Field<'a, M: Model> {
+    p: &'a M::Parameters<f64>,
+    u: &'a M::Inputs<f64>,
+    d: &'a M::Discrete<f64>,
+    memory: &'a M::Memory,
+    /// x as the model sees it.
+    x: &'a mut M::States<f64>,
+}
+
+impl<M: Model> Field<'_, M> {
+    #[inline]
+    fn at(&mut self, t: f64, x: &[f64]) -> Point<'_, M, f64> {
+        self.x.read_reals(x);
+        Point { t, p: self.p, u: self.u, x: self.x, d: self.d, memory: self.memory }
+    }
+
+    #[inline]
+    fn derivatives(&mut self, t: f64, x: &[f64], dx: &mut [f64]) {
+        M::derivatives(&self.at(t, x)).write_reals(dx);
+    }
+
+    #[inline]
+    fn indicators(&mut self, t: f64, x: &[f64]) -> M::Indicators {
+        M::indicators(&self.at(t, x))
+    }
+}
+
+impl<M: Model> Instance<M> {
+    /// Integrates to `target` or to the first state event before it. Returns whether an event was found.
+    pub(crate) fn advance(&mut self, target: f64) -> Result<bool, Refusal> {
+        if Layout::<M>::STATE_COUNT == 0 {
+            self.t = target;
+            self.moved();
+            return Ok(false);
+        }
+        self.x.write_reals(&mut self.flow.x);
+        let found = self.integrate(target);
+        self.x.read_reals(&self.flow.x);
+        self.moved();
+        found
+    }
+
+    fn integrate(&mut self, target: f64) -> Result<bool, Refusal> {
+        let Some(memory) = &self.memory else {
+            return Err(Refusal::error("the instance has not been initialized"));
+        };
+        let Flow { rk, x, nominal, scratch, h: wanted, primed, z, .. } = &mut self.flow;
+        let mut field: Field<'_, M> = Field { p: &self.p, u: &self.u, d: &self.d, memory, x: scratch };
+        let tolerance = self.tolerance;
+        while self.t < target {
+            let t = self.t;
+            if !*primed {
+                field.derivatives(t, x, rk.first_stage());
+                *primed = true;
+            }
+            let before = match z.take() {
+                Some(known) => known,
+                None => field.indicators(t, x),
+            };
+            let rest = target - t;
+            let h = wanted.min(rest);
+            let error = rk.step(|t, x, dx| field.derivatives(t, x, dx), t, x, h, tolerance, nominal);
+            // An error that is not a number says that the step left where the equations hold.
+            if error.is_nan() || error > 1.0 {
+                *z = Some(before);
+                *wanted = h * if error.is_finite() { (0.9 * error.powf(-0.2)).max(0.2) } else { 0.1 };
+                if *wanted < SHORTEST * t.abs().max(1e-3) {
+                    return Err(Refusal::discard(format!(
+                        "the equations have no finite solution beyond {t} s: look for an input or a start value that \
+                         is out of any physical range"
+                    )));
+                }
+                continue;
+            }
+            let after = field.indicators(t + h, &rk.end);
+            if crossing(&before, &after) {
+                let event = locate(&mut field, rk, (t, x), (before, after), h, (tolerance, nominal));
+                x.copy_from_slice(&rk.end);
+                self.t = if event >= rest { target } else { t + event };
+                *primed = false;
+                return Ok(true);
+            }
+            *z = Some(after);
+            x.copy_from_slice(&rk.end);
+            rk.accept();
+            self.t = if h >= rest { target } else { t + h };
+            let grown = if error > 1e-4 { h * (0.9 * error.powf(-0.2)).clamp(0.2, 5.0) } else { h * 5.0 };
+            // A step cut short by the communication point says nothing against a longer one.
+            *wanted = if h < *wanted { wanted.max(grown) } else { grown };
+        }
+        Ok(false)
+    }
+}
+
+/// The length of the step from (t, x) that ends just behind the first event in (0, h]; leaves the state there in
+/// `rk.end`. Every trial is a true step, so that the state at an event is as accurate as any other.
+fn locate<M: Model>(
+    field: &mut Field<'_, M>,
+    rk: &mut DormandPrince,
+    (t, x): (f64, &[f64]),
+    (before, after): (M::Indicators, M::Indicators),
+    h: f64,
+    (tolerance, nominal): (f64, &[f64]),
+) -> f64 {
+    let step = |rk: &mut DormandPrince, field: &mut Field<'_, M>, h: f64| {
+        rk.step(|t, x, dx| field.derivatives(t, x, dx), t, x, h, tolerance, nominal);
+        field.indicators(t + h, &rk.end)
+    };
+    let (mut ahead, mut behind) = (0.0, h);
+    let (mut near, mut beyond) = (before.clone(), after);
+    for round in 0..MOST_TRIALS {
+        if behind - ahead <= SHORTEST * t.abs().max(1.0) {
+            break;
+        }
+        // Every third trial halves, so that the bracket shrinks even where the secant creeps from one side.
+        let part = if round % 3 == 2 { 0.5 } else { secant(&near, &beyond) };
+        let middle = ahead + (behind - ahead) * part;
+        let here = step(rk, field, middle);
+        if crossing(&before, &here) {
+            (behind, beyond) = (middle, here);
+        } else {
+            (ahead, near) = (middle, here);
+        }
+    }
+    step(rk, field, behind);
+    behind
+}
+
+/// Whether an indicator has changed between > 0 and ≤ 0.
+fn crossing<Z: AsRef<[f64]>>(before: &Z, after: &Z) -> bool {
+    before.as_ref().iter().zip(after.as_ref()).any(|(before, after)| (*before > 0.0) != (*after > 0.0))
+}
+
+/// Where the first crossing lies between two points, as a part of their distance, by the secant; a little beyond it, so
+/// that the next bracket is likely to be a small one.
+fn secant<Z: AsRef<[f64]>>(near: &Z, beyond: &Z) -> f64 {
+    let mut first = 1.0;
+    for (a, b) in near.as_ref().iter().zip(beyond.as_ref()) {
+        if (*a > 0.0) != (*b > 0.0) {
+            first = (a / (a - b)).min(first);
+        }
+    }
+    (first * (1.0 + 1e-9) + 1e-12).clamp(1e-6, 1.0 - 1e-6)
+}

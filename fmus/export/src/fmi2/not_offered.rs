@@ -1,0 +1,33 @@
+//! Functions behind capabilities that the model description does not offer: the standard wants them present, and a
+//! call is an error of the importer.
+
+use swayless_abi::fmi2::*;
+
+use crate::model::Model;
+use crate::phase::Call;
+use crate::raw::call;
+
+macro_rules! not_offered {
+    ($($name:ident($($type:ty),*);)*) => { $(
+        /// See [`fmi2GetTypesPlatform`](super::fmi2GetTypesPlatform).
+        pub unsafe fn $name<M: Model>(c: Component, $(_: $type),*) -> Status {
+            // SAFETY: the importer's instance.
+            unsafe { call::<M>(c, Call::NotOffered, stringify!($name), |_| Ok(())) }
+        }
+    )* };
+}
+
+not_offered! {
+    fmi2GetFMUstate(*mut FMUstate);
+    fmi2SetFMUstate(FMUstate);
+    fmi2FreeFMUstate(*mut FMUstate);
+    fmi2SerializedFMUstateSize(FMUstate, *mut usize);
+    fmi2SerializeFMUstate(FMUstate, *mut Byte, usize);
+    fmi2DeSerializeFMUstate(*const Byte, usize, *mut FMUstate);
+    fmi2GetDirectionalDerivative(
+        *const ValueReference, usize, *const ValueReference, usize, *const Real, *mut Real
+    );
+    fmi2SetRealInputDerivatives(*const ValueReference, usize, *const Integer, *const Real);
+    fmi2GetRealOutputDerivatives(*const ValueReference, usize, *const Integer, *mut Real);
+    fmi2CancelStep();
+}

@@ -1,0 +1,292 @@
+//! An instance of a model: its values, its log, and its way through the life cycle.
+
+use std::ffi::CString;
+use std::path::PathBuf;
+
+use crate::co_simulation::Backup;
+use crate::declaration::Declaration;
+use crate::flow::Flow;
+use crate::layout::{Block, Layout};
+use crate::log::{Category, Log, Severity};
+use crate::model::{Environment, Event, Model, Point};
+use crate::phase::{Call, Interface, Phase};
+use crate::variables::{Value, Variables};
+
+/// The relative tolerance of co-simulation where the importer gives none.
+pub const TOLERANCE: f64 = 1e-8;
+
+/// Why a call was refused.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Refusal {
+    /// The status to return.
+    pub severity: Severity,
+    /// What is wrong and what to do.
+    pub message: String,
+}
+
+impl Refusal {
+    /// The instance cannot go on.
+    pub fn error(message: impl Into<String>) -> Self {
+        Self { severity: Severity::Error, message: message.into() }
+    }
+
+    /// The instance is unchanged and may try again.
+    pub fn discard(message: impl Into<String>) -> Self {
+        Self { severity: Severity::Discard, message: message.into() }
+    }
+}
+
+/// An instance of a model.
+pub struct Instance<M: Model> {
+    pub(crate) interface: Interface,
+    pub(crate) phase: Phase,
+    pub(crate) name: String,
+    pub(crate) log: Log,
+    resources: Option<PathBuf>,
+    pub(crate) parameter_declarations: Vec<Declaration>,
+    pub(crate) input_declarations: Vec<Declaration>,
+    pub(crate) state_declarations: Vec<Declaration>,
+
+    pub(crate) t: f64,
+    pub(crate) tolerance: f64,
+    pub(crate) p: M::Parameters<f64>,
+    pub(crate) u: M::Inputs<f64>,
+    /// The start values of the states, as declared or set.
+    pub(crate) declared: M::States<f64>,
+    pub(crate) x: M::States<f64>,
+    pub(crate) d: M::Discrete<f64>,
+    /// None until initialization has read what the model remembers.
+    pub(crate) memory: Option<M::Memory>,
+    pub(crate) next_event: Option<f64>,
+    pub(crate) y: M::Outputs<f64>,
+    pub(crate) dx: M::States<f64>,
+
+    /// The start values have changed since x and d were initialized.
+    pub(crate) uninitialized: bool,
+    /// An input or tunable parameter has changed since the last event.
+    pub(crate) disturbed: bool,
+    pub(crate) outputs_stale: bool,
+    pub(crate) derivatives_stale: bool,
+    pub(crate) flow: Flow<M>,
+    pub(crate) backup: Backup<M>,
+    /// Texts handed to the importer, valid until the next call.
+    pub(crate) returned: Vec<CString>,
+}
+
+impl<M: Model> Instance<M> {
+    /// Makes an instance with the declared start values.
+    pub fn new(interface: Interface, name: &str, log: Log, resources: Option<PathBuf>) -> Self {
+        Self {
+            interface,
+            phase: Phase::Instantiated,
+            name: name.to_string(),
+            log,
+            resources,
+            parameter_declarations: Layout::<M>::declarations(Block::Parameters),
+            input_declarations: Layout::<M>::declarations(Block::Inputs),
+            state_declarations: Layout::<M>::declarations(Block::States),
+            t: 0.0,
+            tolerance: TOLERANCE,
+            p: Variables::start(),
+            u: Variables::start(),
+            declared: Variables::start(),
+            x: Variables::start(),
+            d: Variables::start(),
+            memory: None,
+            next_event: None,
+            y: Variables::start(),
+            dx: Variables::start(),
+            uninitialized: true,
+            disturbed: false,
+            outputs_stale: true,
+            derivatives_stale: true,
+            flow: Flow::new(),
+            backup: Backup::new(),
+            returned: Vec::new(),
+        }
+    }
+
+    /// Refuses a call that is not allowed now.
+    pub(crate) fn allow(&self, call: Call, function: &str) -> Result<(), Refusal> {
+        if call.is_allowed(self.interface, self.phase) {
+            return Ok(());
+        }
+        Err(Refusal::error(format!(
+            "{function} is not allowed: the instance is in phase {:?} of {:?}",
+            self.phase, self.interface
+        )))
+    }
+
+    /// Back to where the instance was when it was made; the log keeps its settings.
+    pub fn reset(&mut self) {
+        self.phase = Phase::Instantiated;
+        self.t = 0.0;
+        self.tolerance = TOLERANCE;
+        self.p = Variables::start();
+        self.u = Variables::start();
+        self.declared = Variables::start();
+        self.x = Variables::start();
+        self.d = Variables::start();
+        self.memory = None;
+        self.next_event = None;
+        self.uninitialized = true;
+        self.disturbed = false;
+        self.moved();
+        self.flow.restart();
+    }
+
+    /// Takes the frame of the experiment. A stop time is nothing the models need to know.
+    pub fn setup_experiment(&mut self, tolerance: Option<f64>, start: f64, stop: Option<f64>) -> Result<(), Refusal> {
+        if !start.is_finite() {
+            return Err(Refusal::error(format!("startTime is {start}; it must be a finite number")));
+        }
+        if let Some(stop) = stop
+            && !(stop >= start)
+        {
+            return Err(Refusal::error(format!("stopTime is {stop}; it must not be less than startTime {start}")));
+        }
+        // Importers without a tolerance of their own pass 0 or leave it undefined.
+        self.tolerance = tolerance.filter(|tolerance| *tolerance > 0.0).unwrap_or(TOLERANCE).clamp(1e-14, 1e-2);
+        self.t = start;
+        Ok(())
+    }
+
+    /// To Initialization Mode.
+    pub fn enter_initialization(&mut self) {
+        self.phase = Phase::Initialization;
+        self.uninitialized = true;
+    }
+
+    /// Checks the parameters, initializes, and goes on to Event Mode or Step Mode.
+    pub fn exit_initialization(&mut self) -> Result<(), Refusal> {
+        self.check_inputs()?;
+        let problems = self.check_start();
+        if !problems.is_empty() {
+            return Err(Refusal::error(problems.join("; ")));
+        }
+        self.initialize()?;
+        self.disturbed = false;
+        self.phase = match self.interface {
+            Interface::ModelExchange => Phase::Event,
+            Interface::CoSimulation => Phase::Step,
+        };
+        Ok(())
+    }
+
+    /// Everything that is wrong with parameters and start values.
+    fn check_start(&self) -> Vec<String> {
+        let mut problems = bounds(&self.parameter_declarations, &self.p);
+        problems.extend(bounds(&self.state_declarations, &self.declared));
+        if problems.is_empty() {
+            problems.extend(M::check(&self.p).iter().map(ToString::to_string));
+        }
+        problems
+    }
+
+    /// Calculates x, d and the memory from the start values, if they have changed.
+    pub(crate) fn initialize(&mut self) -> Result<(), Refusal> {
+        if !self.uninitialized {
+            return Ok(());
+        }
+        let environment = Environment { resources: self.resources.as_deref() };
+        let memory = M::memory(&self.p, &environment).map_err(|problem| Refusal::error(problem.to_string()))?;
+        self.memory = Some(memory);
+        self.d = Variables::start();
+        self.x = M::start(&self.p, &self.u, &self.declared);
+        self.flow.restart();
+        self.event(true)?;
+        self.uninitialized = false;
+        Ok(())
+    }
+
+    /// Lets the model update what is discrete. Returns whether a state jumped.
+    pub(crate) fn event(&mut self, initial: bool) -> Result<bool, Refusal> {
+        let Some(memory) = &mut self.memory else {
+            return Err(Refusal::error("the instance has not been initialized"));
+        };
+        self.flow.remember_states(&self.x);
+        let (p, u, x, d) = (&self.p, &self.u, &mut self.x, &mut self.d);
+        self.next_event = M::event(&mut Event { t: self.t, initial, p, u, x, d, memory });
+        if !initial && self.log.wants(Category::Events) {
+            let next = self.next_event.map_or_else(|| "none".to_string(), |next| format!("at {next} s"));
+            self.log.write(&self.name, Category::Events, &format!("event at {} s, next time event: {next}", self.t));
+        }
+        self.moved();
+        self.flow.begin_anew();
+        Ok(self.flow.states_differ(&self.x))
+    }
+
+    /// What follows from t, x, u, p and d must be evaluated again.
+    pub(crate) fn moved(&mut self) {
+        self.outputs_stale = true;
+        self.derivatives_stale = true;
+    }
+
+    /// The point in time the instance is at.
+    pub(crate) fn point(&self) -> Result<Point<'_, M, f64>, Refusal> {
+        let Some(memory) = &self.memory else {
+            return Err(Refusal::error("the instance has not been initialized"));
+        };
+        Ok(Point { t: self.t, p: &self.p, u: &self.u, x: &self.x, d: &self.d, memory })
+    }
+
+    /// Refuses inputs that are not finite.
+    pub(crate) fn check_inputs(&self) -> Result<(), Refusal> {
+        let mut finite = true;
+        self.u.each_real(&mut |value| finite &= value.is_finite());
+        if finite {
+            return Ok(());
+        }
+        let found = (0..<M::Inputs<f64> as Variables<f64>>::COUNT).find_map(|index| match self.u.get(index) {
+            Value::Real(value) if !value.is_finite() => {
+                Some(format!("input {} is {value}; set it to a finite number", Layout::<M>::name(Block::Inputs, index)))
+            }
+            _ => None,
+        });
+        Err(Refusal::discard(found.unwrap_or_default()))
+    }
+
+    /// Brings the outputs up to date.
+    pub(crate) fn refresh_outputs(&mut self) -> Result<(), Refusal> {
+        if self.outputs_stale {
+            self.y = M::outputs(&self.point()?);
+            self.outputs_stale = false;
+        }
+        Ok(())
+    }
+
+    /// Brings the derivatives up to date.
+    pub(crate) fn refresh_derivatives(&mut self) -> Result<(), Refusal> {
+        if self.derivatives_stale {
+            self.dx = M::derivatives(&self.point()?);
+            self.derivatives_stale = false;
+        }
+        Ok(())
+    }
+}
+
+/// The declared bounds that start values lie outside of.
+fn bounds(declarations: &[Declaration], values: &impl Variables<f64>) -> Vec<String> {
+    let mut problems = Vec::new();
+    for declaration in declarations {
+        for element in 0..declaration.count() {
+            let Value::Real(value) = values.get(declaration.first + element) else { continue };
+            if !declaration.allows(value) {
+                let index = if declaration.dimension.is_some() { format!("[{}]", element + 1) } else { String::new() };
+                problems.push(format!("{}{index} is {value}; {}", declaration.name, range(declaration)));
+            }
+        }
+    }
+    problems
+}
+
+/// The allowed range of a variable, in words.
+pub(crate) fn range(declaration: &Declaration) -> String {
+    let unit = declaration.unit.map_or_else(String::new, |unit| format!(" {}", unit.symbol));
+    match (declaration.min, declaration.max) {
+        (Some(min), Some(max)) => format!("it must lie between {min} and {max}{unit}"),
+        (Some(min), None) => format!("it must be at least {min}{unit}"),
+        (None, Some(max)) => format!("it must be at most {max}{unit}"),
+        (None, None) => "it must be a finite number".to_string(),
+    }
+}

@@ -1,0 +1,139 @@
+//! The model: a handful of plain structs and pure functions of one point in time.
+
+use std::fmt;
+use std::path::Path;
+
+use swayless_scalar::Scalar;
+
+use crate::variables::Variables;
+
+/// A model that can be exported. All it says is mathematics; nothing in it knows FMI.
+pub trait Model: Sized + Send + 'static {
+    /// What it is.
+    const INFO: Info;
+    /// p: fixed or tunable.
+    type Parameters<R: Scalar>: Variables<R>;
+    /// u.
+    type Inputs<R: Scalar>: Variables<R>;
+    /// x: continuous; real numbers only.
+    type States<R: Scalar>: Variables<R>;
+    /// y: continuous; real numbers only.
+    type Outputs<R: Scalar>: Variables<R>;
+    /// d: changes at events only; numbers, truth values, enumerations.
+    type Discrete<R: Scalar>: Variables<R>;
+    /// What a model remembers beside its variables: event queues, tables. Copied before a step that has events, so
+    /// `clone_from` should reuse memory.
+    type Memory: Clone + Send;
+    /// z: `[f64; N]`; a change between > 0 and ≤ 0 is an event.
+    type Indicators: Indicators;
+
+    /// What is wrong with the parameters, beyond their declared bounds: all of it.
+    fn check(_: &Self::Parameters<f64>) -> Vec<Problem> {
+        Vec::new()
+    }
+    /// The memory when initialization begins. Files are read here and nowhere else.
+    fn memory(p: &Self::Parameters<f64>, environment: &Environment<'_>) -> Result<Self::Memory, Problem>;
+    /// x when initialization ends, from the start values declared or set by the user.
+    fn start<R: Scalar>(_p: &Self::Parameters<R>, _u: &Self::Inputs<R>, declared: &Self::States<R>) -> Self::States<R> {
+        declared.clone()
+    }
+    /// ẋ = f(t, x, d, u, p).
+    fn derivatives<R: Scalar>(at: &Point<'_, Self, R>) -> Self::States<R>;
+    /// y = g(t, x, d, u, p).
+    fn outputs<R: Scalar>(at: &Point<'_, Self, R>) -> Self::Outputs<R>;
+    /// z = h(t, x, d, u, p).
+    fn indicators(at: &Point<'_, Self, f64>) -> Self::Indicators;
+    /// d⁺ and x⁺, and when the next time event falls due (after `t`). Called when initialization ends and at every
+    /// event; a second call at the same point changes nothing.
+    fn event(at: &mut Event<'_, Self>) -> Option<f64>;
+}
+
+/// The values of event indicators.
+pub trait Indicators: AsRef<[f64]> + Clone + Send {
+    /// How many there are.
+    const COUNT: usize;
+}
+
+impl<const N: usize> Indicators for [f64; N] {
+    const COUNT: usize = N;
+}
+
+/// What a model is.
+#[derive(Debug, Clone, Copy)]
+pub struct Info {
+    /// `modelName` and `modelIdentifier`.
+    pub name: &'static str,
+    /// One line.
+    pub description: &'static str,
+    /// Equations, variables and sources, in Markdown.
+    pub documentation: &'static str,
+    /// The icon, in SVG.
+    pub icon: &'static str,
+    /// The length of a typical experiment (s).
+    pub stop_time: f64,
+    /// A typical communication step (s).
+    pub step_size: f64,
+}
+
+/// A point in time at which the equations are evaluated.
+pub struct Point<'a, M: Model, R: Scalar> {
+    /// t (s).
+    pub t: R,
+    /// p.
+    pub p: &'a M::Parameters<R>,
+    /// u.
+    pub u: &'a M::Inputs<R>,
+    /// x.
+    pub x: &'a M::States<R>,
+    /// d.
+    pub d: &'a M::Discrete<R>,
+    /// The memory.
+    pub memory: &'a M::Memory,
+}
+
+/// A point in time at which discrete variables, states and memory may jump.
+pub struct Event<'a, M: Model> {
+    /// t (s).
+    pub t: f64,
+    /// Whether this is the event that ends initialization.
+    pub initial: bool,
+    /// p.
+    pub p: &'a M::Parameters<f64>,
+    /// u.
+    pub u: &'a M::Inputs<f64>,
+    /// x.
+    pub x: &'a mut M::States<f64>,
+    /// d.
+    pub d: &'a mut M::Discrete<f64>,
+    /// The memory.
+    pub memory: &'a mut M::Memory,
+}
+
+/// What lies around an instance.
+#[derive(Debug, Clone, Copy)]
+pub struct Environment<'a> {
+    /// The folder of the FMU's resources, if the importer gave one.
+    pub resources: Option<&'a Path>,
+}
+
+/// What is wrong with a parameter.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Problem {
+    /// The parameter's name.
+    pub variable: String,
+    /// What is wrong and what to do.
+    pub message: String,
+}
+
+impl Problem {
+    /// A problem with a parameter.
+    pub fn new(variable: impl Into<String>, message: impl Into<String>) -> Self {
+        Self { variable: variable.into(), message: message.into() }
+    }
+}
+
+impl fmt::Display for Problem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.variable, self.message)
+    }
+}

@@ -1,0 +1,147 @@
+//! Which variable depends on which: traced through the model's own equations.
+
+use swayless_scalar::Dependence;
+
+use crate::layout::{Block, Layout};
+use crate::model::{Environment, Model, Point};
+use crate::variables::{Variables, lift};
+
+/// For each scalar by its number, the numbers of what it depends on.
+type Sets = Vec<Vec<usize>>;
+
+/// The dependencies of a model.
+pub struct Structure {
+    /// Of ẋ, y and d on t, u and x, while the simulation runs.
+    running: Sets,
+    /// Of x, ẋ, y and d on t, p, u and start values, when initialization ends. `None` means on all of them.
+    initial: Vec<Option<Vec<usize>>>,
+}
+
+impl Structure {
+    /// Traces the equations of a model.
+    pub fn of<M: Model>() -> Self {
+        let end = Layout::<M>::END;
+        let direct = discrete_dependencies::<M>();
+        let mut running = vec![Vec::new(); end];
+        let mut initial = vec![Some(Vec::new()); end];
+        let p: M::Parameters<f64> = Variables::start();
+        // A model whose memory cannot be made without a file can be traced without it: the trace asks for no values.
+        let memory = M::memory(&p, &Environment { resources: None }).ok();
+        for window in (0..end).step_by(Dependence::WINDOW) {
+            let Some(memory) = &memory else { break };
+            trace::<M>(window, memory, &direct, &mut running, &mut initial);
+        }
+        for (offset, set) in direct.into_iter().enumerate() {
+            running[Layout::<M>::DISCRETE + offset] = set;
+            // What happens in the first event is not traced.
+            initial[Layout::<M>::DISCRETE + offset] = None;
+        }
+        Self { running, initial }
+    }
+
+    /// What a scalar depends on while the simulation runs: numbers of time, inputs and states.
+    pub fn running(&self, number: usize) -> &[usize] {
+        &self.running[number]
+    }
+
+    /// What a scalar depends on when initialization ends; `None` means on everything.
+    pub fn initial(&self, number: usize) -> Option<&[usize]> {
+        self.initial[number].as_deref()
+    }
+}
+
+/// The inputs and states that each scalar of d depends on, as declared.
+fn discrete_dependencies<M: Model>() -> Sets {
+    let of = |block| Layout::<M>::declarations(block);
+    let numbers = |block: Block, first: usize, count: usize| {
+        let begin = Layout::<M>::first(block) + first;
+        begin..begin + count
+    };
+    let known: Vec<_> = [Block::Inputs, Block::States]
+        .into_iter()
+        .flat_map(|block| of(block).into_iter().map(move |d| (d.name.clone(), numbers(block, d.first, d.count()))))
+        .collect();
+    let mut sets = Vec::new();
+    for declaration in of(Block::Discrete) {
+        let set: Vec<usize> = match declaration.depends_on {
+            None => known.iter().flat_map(|(_, numbers)| numbers.clone()).collect(),
+            Some(names) => {
+                let named = |name: &&str| known.iter().find(|(known, _)| known == name);
+                names.iter().filter_map(named).flat_map(|(_, numbers)| numbers.clone()).collect()
+            }
+        };
+        sets.extend(std::iter::repeat_n(set, declaration.count()));
+    }
+    sets
+}
+
+/// Adds what lies in one window of numbers.
+fn trace<M: Model>(
+    window: usize,
+    memory: &M::Memory,
+    discrete: &Sets,
+    running: &mut Sets,
+    initial: &mut [Option<Vec<usize>>],
+) {
+    let on = |number: usize| number.checked_sub(window).map_or(Dependence(0), Dependence::on);
+    let seed = |block: Block| move |index: usize, _: f64| on(Layout::<M>::first(block) + index);
+    let none = |_: usize, _: f64| Dependence(0);
+    let p: M::Parameters<f64> = Variables::start();
+    let u: M::Inputs<f64> = Variables::start();
+    let x: M::States<f64> = Variables::start();
+    let d: M::Discrete<f64> = Variables::start();
+
+    // While the simulation runs, parameters are constants.
+    let constants: M::Parameters<Dependence> = lift(&p, none);
+    let inputs: M::Inputs<Dependence> = lift(&u, seed(Block::Inputs));
+    let states: M::States<Dependence> = lift(&x, seed(Block::States));
+    let switched: M::Discrete<Dependence> =
+        lift(&d, |index, _| discrete[index].iter().map(|number| on(*number)).fold(Dependence(0), |a, b| a + b));
+    let at = Point { t: on(0), p: &constants, u: &inputs, x: &states, d: &switched, memory };
+    let mut add = |first: usize, index: usize, set: Dependence| {
+        running[first + index].extend(members(set).map(|member| window + member));
+    };
+    let mut index = 0;
+    M::derivatives(&at).each_real(&mut |set| {
+        add(Layout::<M>::DERIVATIVES, index, set);
+        index += 1;
+    });
+    index = 0;
+    M::outputs(&at).each_real(&mut |set| {
+        add(Layout::<M>::OUTPUTS, index, set);
+        index += 1;
+    });
+
+    // When initialization ends, they follow from the start values of p, u and x; d is taken to follow from all of it,
+    // so what depends on d depends on everything.
+    let everything = Dependence(u64::MAX);
+    let unknown = |set: Dependence, of_discrete: bool| if of_discrete { None } else { Some(set) };
+    let parameters: M::Parameters<Dependence> = lift(&p, seed(Block::Parameters));
+    let states = M::start(&parameters, &inputs, &states);
+    let evaluate = |of_discrete: bool| {
+        let d: M::Discrete<Dependence> = lift(&d, |_, _| if of_discrete { everything } else { Dependence(0) });
+        let at = Point { t: on(0), p: &parameters, u: &inputs, x: &states, d: &d, memory };
+        let mut sets = vec![Dependence(0); initial_count::<M>()];
+        let n = Layout::<M>::STATE_COUNT;
+        states.write_reals(&mut sets[..n]);
+        M::derivatives(&at).write_reals(&mut sets[n..2 * n]);
+        M::outputs(&at).write_reals(&mut sets[2 * n..]);
+        sets
+    };
+    for (index, (with, without)) in evaluate(true).into_iter().zip(evaluate(false)).enumerate() {
+        let place = &mut initial[Layout::<M>::STATES + index];
+        // Only a dependence on d can make the whole window appear where it did not.
+        match (unknown(without, with == everything && without != everything), place.as_mut()) {
+            (Some(set), Some(known)) => known.extend(members(set).map(|member| window + member)),
+            _ => *place = None,
+        }
+    }
+}
+
+fn initial_count<M: Model>() -> usize {
+    Layout::<M>::DISCRETE - Layout::<M>::STATES
+}
+
+fn members(set: Dependence) -> impl Iterator<Item = usize> {
+    (0..Dependence::WINDOW).filter(move |member| set.contains(*member))
+}

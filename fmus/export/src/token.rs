@@ -1,0 +1,43 @@
+//! The instantiation token: it changes with every change of the variables, and with nothing else.
+
+use crate::layout::{Block, Layout};
+use crate::model::Model;
+use crate::variables::{Value, Variables};
+
+/// FNV-1a of 128 bits (offset basis and prime from the FNV reference).
+struct Hash(u128);
+
+impl Hash {
+    fn add(&mut self, text: &str) {
+        for byte in text.bytes().chain([0]) {
+            self.0 = (self.0 ^ u128::from(byte)).wrapping_mul(0x0000_0000_0100_0000_0000_0000_0000_013B);
+        }
+    }
+
+    fn add_starts(&mut self, values: &impl Variables<f64>, count: usize) {
+        for index in 0..count {
+            match values.get(index) {
+                // The bits, since every change of a number counts.
+                Value::Real(value) => self.add(&format!("{:016x}", value.to_bits())),
+                other => self.add(&format!("{other:?}")),
+            }
+        }
+    }
+}
+
+/// The token of a model, written as a GUID.
+pub fn of<M: Model>() -> String {
+    let mut hash = Hash(0x6C62_272E_07BB_0142_62B8_2175_6295_C58D);
+    hash.add(M::INFO.name);
+    hash.add(env!("CARGO_PKG_VERSION"));
+    for block in [Block::Parameters, Block::Inputs, Block::States, Block::Outputs, Block::Discrete] {
+        for declaration in Layout::<M>::declarations(block) {
+            hash.add(&format!("{block:?} {declaration:?}"));
+        }
+    }
+    hash.add_starts(&<M::Parameters<f64> as Variables<f64>>::start(), Layout::<M>::INPUTS - Layout::<M>::PARAMETERS);
+    hash.add_starts(&<M::Inputs<f64> as Variables<f64>>::start(), Layout::<M>::STATES - Layout::<M>::INPUTS);
+    hash.add_starts(&<M::States<f64> as Variables<f64>>::start(), Layout::<M>::STATE_COUNT);
+    let text = format!("{:032x}", hash.0);
+    format!("{{{}-{}-{}-{}-{}}}", &text[..8], &text[8..12], &text[12..16], &text[16..20], &text[20..])
+}

@@ -1,0 +1,73 @@
+//! A point mass on a cable from a moving pivot.
+//!
+//! The pivot's velocity v is an input and no acceleration appears, so a jump in v is exact: with the momentum of the
+//! mass unchanged across the cable, w stays and ṅ jumps. That is eq. 5.7 of the thesis, θ = −(v_f/Lω) sin ωt, at once.
+//! There is no singular swing angle.
+
+use swayless_scalar::Scalar;
+
+use crate::Vector;
+
+/// The state of a payload.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Payload<R: Scalar> {
+    /// The unit vector from the pivot to the payload.
+    pub direction: Vector<R>,
+    /// The payload's velocity across the cable (m/s).
+    pub velocity: Vector<R>,
+}
+
+/// What moves a payload.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Suspension<R: Scalar> {
+    /// Velocity of the pivot (m/s).
+    pub pivot: Vector<R>,
+    /// ℓ, from the pivot to the payload (m).
+    pub length: R,
+    /// ℓ̇ (m/s).
+    pub length_rate: R,
+}
+
+impl<R: Scalar> Payload<R> {
+    /// At rest under a resting pivot, but for a direction and its rate (1/s): w₀ = ℓ ṅ₀.
+    pub fn started(direction: Vector<R>, rate: Vector<R>, length: R) -> Self {
+        Self { direction, velocity: rate * length }
+    }
+
+    /// ṅ = (w − v⊥)/ℓ, where u⊥ is the part of u across n.
+    pub fn direction_rate(&self, suspension: &Suspension<R>) -> Vector<R> {
+        (self.velocity - across(suspension.pivot, self.direction)) / suspension.length
+    }
+
+    /// ṅ and ẇ = (g + F/m)⊥ − (n·v + ℓ̇) ṅ − (w·ṅ) n − d ℓ ṅ.
+    ///
+    /// `pull` is g + F/m (m/s²), `damping` is d (1/s), for small swing 2ζω.
+    pub fn rates(&self, suspension: &Suspension<R>, pull: Vector<R>, damping: R) -> Self {
+        let Self { direction: n, velocity: w } = *self;
+        let Suspension { pivot: v, length, length_rate } = *suspension;
+        let n_rate = self.direction_rate(suspension);
+        let w_rate = across(pull, n) - n_rate * (n.dot(&v) + length_rate + damping * length) - n * w.dot(&n_rate);
+        Self { direction: n_rate, velocity: w_rate }
+    }
+
+    /// The amplitude (rad) the payload would swing with if the pivot kept its present velocity and the hoist stopped:
+    /// 2·asin √min(1, sin²(θ/2) + |w − v⊥|²/(4gℓ)), with sin²(θ/2) = |n + z|²/4 so that small swing keeps its digits.
+    pub fn amplitude(&self, suspension: &Suspension<R>, gravity: R) -> R {
+        let n = self.unit();
+        let above = Vector::new(n.x, n.y, n.z + 1.0);
+        let relative = self.velocity - across(suspension.pivot, n);
+        let potential = above.dot(&above) * 0.25;
+        let kinetic = relative.dot(&relative) / (gravity * suspension.length * 4.0);
+        (potential + kinetic).at_most(1.0).sqrt().asin() * 2.0
+    }
+
+    /// n/|n|: integration lets the length drift by its error.
+    pub fn unit(&self) -> Vector<R> {
+        self.direction / self.direction.dot(&self.direction).sqrt()
+    }
+}
+
+/// The part of u across the unit vector n.
+fn across<R: Scalar>(u: Vector<R>, n: Vector<R>) -> Vector<R> {
+    u - n * n.dot(&u)
+}

@@ -1,0 +1,65 @@
+//! What a design costs, and a step of the shaper with a few and with many live impulses.
+
+use divan::counter::ItemsCount;
+use divan::{Bencher, black_box};
+use swayless_shaping::{Kind, Mode, Trains, design, insensitivity};
+
+// shows that nothing is allocated
+#[global_allocator]
+static ALLOCATIONS: divan::AllocProfiler = divan::AllocProfiler::system();
+
+fn main() {
+    divan::main();
+}
+
+fn mode(damping_ratio: f64) -> Mode {
+    // the values are in range
+    Mode::new(1.0, damping_ratio).expect("a mode")
+}
+
+#[divan::bench(args = Kind::ALL)]
+fn undamped(kind: &Kind) {
+    let _ = black_box(design(black_box(*kind), black_box(mode(0.0)), black_box(0.05)));
+}
+
+#[divan::bench(args = Kind::ALL)]
+fn damped(kind: &Kind) {
+    let _ = black_box(design(black_box(*kind), black_box(mode(0.1)), black_box(0.05)));
+}
+
+#[divan::bench(args = Kind::ALL)]
+fn width(bencher: Bencher<'_, '_>, kind: &Kind) {
+    let shaper = design(*kind, mode(0.0), 0.05).expect("undamped designs exist");
+    bencher.bench_local(|| insensitivity(black_box(&shaper), mode(0.0), black_box(0.05)));
+}
+
+/// A ramp sampled every step, so that each step spawns a train and as many impulses are due; per step.
+#[divan::bench(args = [1, 10, 100, 1000, 10_000])]
+fn ramp(bencher: Bencher<'_, '_>, live: u32) {
+    const STEPS: u32 = 100;
+    let zv = design(Kind::ZV, mode(0.0), 0.05).expect("undamped designs exist");
+    let step = zv.duration() / f64::from(live);
+    let mut trains = Trains::new(0.0, live as usize + 8);
+    let mut n = 0;
+    let mut ramp = move || {
+        for _ in 0..STEPS {
+            n += 1;
+            let time = f64::from(n) * step;
+            trains.set_command(time, black_box(time), &zv);
+        }
+        trains.value()
+    };
+    for _ in 0..=live / STEPS {
+        ramp();
+    }
+    bencher.counter(ItemsCount::new(STEPS)).bench_local(ramp);
+}
+
+/// A step during which nothing happens, with a train pending.
+#[divan::bench]
+fn idle(bencher: Bencher<'_, '_>) {
+    let zv = design(Kind::ZV, mode(0.0), 0.05).expect("undamped designs exist");
+    let mut trains = Trains::new(0.0, 8);
+    trains.set_command(0.0, 1.0, &zv);
+    bencher.bench_local(|| black_box(&mut trains).advance(black_box(1.0)));
+}

@@ -1,0 +1,78 @@
+//! The vibratory mode that a shaper is designed for.
+
+use std::f64::consts::{PI, TAU};
+
+use crate::ModeError;
+
+/// A second-order mode, s² + 2ζωs + ω² = 0, underdamped.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mode {
+    frequency: f64,
+    damping_ratio: f64,
+}
+
+impl Mode {
+    /// A mode with its undamped natural frequency ω in rad/s and its damping ratio ζ.
+    ///
+    /// # Errors
+    /// [`ModeError`] unless ω is finite and greater than 0 and 0 ≤ ζ < 1. A frequency so extreme that a period is no longer
+    /// a normal number is refused, too.
+    pub fn new(frequency: f64, damping_ratio: f64) -> Result<Self, ModeError> {
+        if !(0.0..1.0).contains(&damping_ratio) {
+            return Err(ModeError::DampingRatio { value: damping_ratio });
+        }
+        let mode = Self { frequency, damping_ratio };
+        // A train lasts a few damped periods at most; 100 of them must still be a number.
+        let usable = frequency > 0.0 && frequency.is_finite();
+        if !(usable && mode.damped_period().is_normal() && (100.0 * mode.damped_period()).is_finite()) {
+            return Err(ModeError::Frequency { value: frequency });
+        }
+        Ok(mode)
+    }
+
+    /// Undamped natural frequency ω in rad/s.
+    #[must_use]
+    pub fn frequency(self) -> f64 {
+        self.frequency
+    }
+
+    /// Damping ratio ζ.
+    #[must_use]
+    pub fn damping_ratio(self) -> f64 {
+        self.damping_ratio
+    }
+
+    /// Damped natural frequency ω_d = ω√(1 − ζ²) in rad/s.
+    #[must_use]
+    pub fn damped_frequency(self) -> f64 {
+        self.frequency * damped_share(self.damping_ratio)
+    }
+
+    /// Undamped period T = 2π/ω in seconds.
+    #[must_use]
+    pub fn period(self) -> f64 {
+        TAU / self.frequency
+    }
+
+    /// Damped period T_d = 2π/ω_d in seconds.
+    #[must_use]
+    pub fn damped_period(self) -> f64 {
+        TAU / self.damped_frequency()
+    }
+
+    /// K = exp(−ζπ/√(1 − ζ²)): what is left of an oscillation's amplitude after half a damped period.
+    #[must_use]
+    pub fn half_period_decay(self) -> f64 {
+        (-PI * self.decay_angle()).exp()
+    }
+
+    /// r = ζω/ω_d = ζ/√(1 − ζ²): the decay per radian of damped oscillation.
+    pub(crate) fn decay_angle(self) -> f64 {
+        self.damping_ratio / damped_share(self.damping_ratio)
+    }
+}
+
+/// √(1 − ζ²), without the cancellation of 1 − ζ² next to 1.
+pub(crate) fn damped_share(damping_ratio: f64) -> f64 {
+    ((1.0 - damping_ratio) * (1.0 + damping_ratio)).sqrt()
+}

@@ -1,0 +1,103 @@
+//! An impulse train of fixed capacity.
+
+use std::fmt;
+
+use crate::ShaperError;
+
+/// The most impulses a [`Shaper`] holds.
+pub const MAX_IMPULSES: usize = 32;
+
+/// One impulse of a shaper.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Impulse {
+    /// When it acts, in seconds after the change of the command.
+    pub time: f64,
+    /// The share of the change that it passes on.
+    pub amplitude: f64,
+}
+
+/// An input shaper: impulses in strictly ascending order of time. It lives on the stack.
+#[derive(Clone)]
+pub struct Shaper {
+    count: usize,
+    impulses: [Impulse; MAX_IMPULSES],
+}
+
+impl Shaper {
+    /// A shaper of the given impulses.
+    ///
+    /// # Errors
+    /// [`ShaperError`] unless there are 1 to [`MAX_IMPULSES`] finite impulses whose times are at least 0 and strictly
+    /// ascending. The amplitudes need not sum to 1.
+    pub fn new(impulses: &[Impulse]) -> Result<Self, ShaperError> {
+        if impulses.is_empty() || impulses.len() > MAX_IMPULSES {
+            return Err(ShaperError::Count { count: impulses.len() });
+        }
+        let mut before = None;
+        for (index, &Impulse { time, amplitude }) in impulses.iter().enumerate() {
+            if !time.is_finite() || before.map_or(time < 0.0, |before| time <= before) {
+                return Err(ShaperError::Time { index, value: time });
+            }
+            if !amplitude.is_finite() {
+                return Err(ShaperError::Amplitude { index, value: amplitude });
+            }
+            before = Some(time);
+        }
+        let mut shaper = Self { count: impulses.len(), impulses: [Impulse::default(); MAX_IMPULSES] };
+        shaper.impulses[..impulses.len()].copy_from_slice(impulses);
+        Ok(shaper)
+    }
+
+    /// The shaper that changes nothing: one impulse of amplitude 1 at time 0.
+    #[must_use]
+    pub fn unshaped() -> Self {
+        Self::of([(0.0, 1.0)])
+    }
+
+    /// A shaper of (time, amplitude) pairs from a design, which knows them to be in order.
+    pub(crate) fn of<const N: usize>(pairs: [(f64, f64); N]) -> Self {
+        const { assert!(0 < N && N <= MAX_IMPULSES) }
+        let mut shaper = Self { count: N, impulses: [Impulse::default(); MAX_IMPULSES] };
+        for (impulse, (time, amplitude)) in shaper.impulses.iter_mut().zip(pairs) {
+            *impulse = Impulse { time, amplitude };
+        }
+        debug_assert!(shaper.impulses().is_sorted_by(|a, b| a.time < b.time));
+        shaper
+    }
+
+    /// The impulses in order of time; at least one.
+    #[must_use]
+    pub fn impulses(&self) -> &[Impulse] {
+        &self.impulses[..self.count]
+    }
+
+    /// Time of the last impulse in seconds: the delay that shaping adds.
+    #[must_use]
+    pub fn duration(&self) -> f64 {
+        self.impulses[self.count - 1].time
+    }
+
+    /// Sum of the amplitudes; 1 for every designed shaper, so that the command's end value is reached.
+    #[must_use]
+    pub fn sum(&self) -> f64 {
+        self.impulses().iter().map(|impulse| impulse.amplitude).sum()
+    }
+
+    /// Whether no amplitude is negative: such a shaper never exceeds the range or the slope of the command.
+    #[must_use]
+    pub fn is_positive(&self) -> bool {
+        self.impulses().iter().all(|impulse| impulse.amplitude >= 0.0)
+    }
+}
+
+impl PartialEq for Shaper {
+    fn eq(&self, other: &Self) -> bool {
+        self.impulses() == other.impulses()
+    }
+}
+
+impl fmt::Debug for Shaper {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_list().entries(self.impulses()).finish()
+    }
+}

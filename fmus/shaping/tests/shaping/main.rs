@@ -1,0 +1,35 @@
+//! Shapers against closed forms, reference values, a simulated oscillator, and what must hold for every mode.
+
+mod closed_forms;
+mod extra_insensitive;
+mod oscillator;
+mod properties;
+mod reference;
+mod refusals;
+mod trains;
+
+use swayless_shaping::{Impulse, Kind, Mode, Shaper, design};
+
+const LIMIT: f64 = 0.05;
+
+fn mode(frequency: f64, damping_ratio: f64) -> Mode {
+    Mode::new(frequency, damping_ratio).unwrap()
+}
+
+fn designed(kind: Kind, frequency: f64, damping_ratio: f64) -> Shaper {
+    design(kind, mode(frequency, damping_ratio), LIMIT).unwrap()
+}
+
+fn shaper<const N: usize>(pairs: [(f64, f64); N]) -> Shaper {
+    Shaper::new(&pairs.map(|(time, amplitude)| Impulse { time, amplitude })).unwrap()
+}
+
+/// Largest difference of two shapers, times relative to the longer duration; infinite if the counts differ.
+fn distance(a: &Shaper, b: &Shaper) -> f64 {
+    if a.impulses().len() != b.impulses().len() {
+        return f64::INFINITY;
+    }
+    let duration = a.duration().max(b.duration()).max(f64::MIN_POSITIVE);
+    let pairs = a.impulses().iter().zip(b.impulses());
+    pairs.map(|(a, b)| ((a.time - b.time) / duration).abs().max((a.amplitude - b.amplitude).abs())).fold(0.0, f64::max)
+}
