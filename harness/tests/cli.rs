@@ -12,13 +12,13 @@ const FOUND_PROBLEMS: i32 = 3;
 
 fn swayless(arguments: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_swayless"));
-    command.args(arguments).current_dir(env!("CARGO_MANIFEST_DIR")).output().unwrap()
+    command.args(arguments).current_dir(env!("CARGO_MANIFEST_DIR")).output().expect("the command starts")
 }
 
 #[track_caller]
 fn exits(arguments: &[&str], code: i32) -> (String, String) {
     let output = swayless(arguments);
-    let text = |bytes: &[u8]| String::from_utf8(bytes.to_owned()).unwrap();
+    let text = |bytes: &[u8]| String::from_utf8(bytes.to_owned()).expect("text");
     let (stdout, stderr) = (text(&output.stdout), text(&output.stderr));
     assert_eq!(output.status.code(), Some(code), "{arguments:?}\n{stdout}\n{stderr}");
     assert!(!stderr.contains("panicked"), "{stderr}");
@@ -28,12 +28,12 @@ fn exits(arguments: &[&str], code: i32) -> (String, String) {
 /// Packs entries into an archive.
 fn archive(folder: &Path, name: &str, entries: &[(&str, &str)]) -> PathBuf {
     let path = folder.join(name);
-    let mut zip = ZipWriter::new(std::fs::File::create(&path).unwrap());
+    let mut zip = ZipWriter::new(std::fs::File::create(&path).expect("a file"));
     for (name, text) in entries {
-        zip.start_file(*name, SimpleFileOptions::default()).unwrap();
-        zip.write_all(text.as_bytes()).unwrap();
+        zip.start_file(*name, SimpleFileOptions::default()).expect("an entry");
+        zip.write_all(text.as_bytes()).expect("room");
     }
-    zip.finish().unwrap();
+    zip.finish().expect("an archive");
     path
 }
 

@@ -8,12 +8,12 @@ use swayless_modeldesc::problem::Severity;
 
 use super::{Failure, Outcome, console};
 
-/// Check FMUs against their standard, without running them.
+/// Check FMUs and SSP documents against their standards, without running them.
 ///
 /// Prints all problems, each with its place. Exits with 3 when a file has errors; warnings alone do not count.
 #[derive(Debug, clap::Args)]
 pub struct Arguments {
-    /// The .fmu files to check
+    /// The .fmu, .ssd, .ssv, .ssm or .ssp files to check
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
     /// Print as JSON
