@@ -2,12 +2,14 @@
 
 pub mod archive;
 pub mod error;
+mod graph;
 pub mod importer;
 mod loader;
 pub mod master;
 pub mod package;
 pub mod recorder;
 pub mod report;
+mod run;
 pub mod signals;
 pub mod simulation;
 pub mod slave;
@@ -18,6 +20,7 @@ pub use error::{Error, Result};
 pub use importer::Fmu;
 pub use master::AlgorithmKind;
 pub use recorder::{Column, CsvWriter, Observer, Recording, Value};
+pub use run::Run;
 pub use signals::InputSignals;
 pub use simulation::{Options, Summary, simulate};
 pub use system::System;

@@ -1,5 +1,10 @@
 //! A system: instances of FMUs, connections between them, and start values.
 
+mod names;
+mod start;
+mod units;
+mod wiring;
+
 use std::collections::HashMap;
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -11,6 +16,10 @@ use crate::error::{Error, Result};
 use crate::importer::Fmu;
 use crate::signals::InputSignals;
 use crate::slave::Model;
+
+pub(crate) use names::{Kind, Names, Port};
+pub(crate) use start::{Start, Values, declared};
+pub(crate) use wiring::{Link, Wiring};
 
 /// Instances, connections and start values. It is only a plan: nothing runs before [`simulate`](crate::simulate), which
 /// makes its own instances, so one system can be run many times, and a clone of it with other start values.
@@ -164,7 +173,7 @@ impl System {
 
     /// Checks names, directions, types, units, start values and algebraic loops; returns all problems at once.
     pub fn check(&self) -> Result<()> {
-        Ok(())
+        Wiring::of(self).map(drop)
     }
 }
 
