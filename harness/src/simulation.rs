@@ -70,7 +70,7 @@ pub fn simulate(system: &System, options: &Options, observer: &mut dyn Observer)
     let mut run = start(system, &wiring, &experiment, options.logging)?;
 
     let stepping = Instant::now();
-    let stepped = step(&mut run, &wiring, options, &clock, observer);
+    let stepped = step(system, &mut run, &wiring, options, &clock, observer);
     let stepping_time = stepping.elapsed();
     let terminated = run.terminate();
     let messages = run.take_messages();
@@ -93,6 +93,7 @@ pub fn simulate(system: &System, options: &Options, observer: &mut dyn Observer)
 
 /// Steps to the end; returns how many steps were taken and where the run ended.
 fn step(
+    system: &System,
     run: &mut Run,
     wiring: &Wiring,
     options: &Options,
@@ -100,7 +101,7 @@ fn step(
     observer: &mut dyn Observer,
 ) -> Result<(u64, f64)> {
     let mut sampler = match observer.records() {
-        true => Some(Sampler::new(wiring, run, &options.output_variables)?),
+        true => Some(Sampler::new(system, wiring, run, &options.output_variables)?),
         false => None,
     };
     if let Some(sampler) = &mut sampler {

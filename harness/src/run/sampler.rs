@@ -5,7 +5,7 @@ use super::store::{Batch, Store};
 use super::{Run, failed};
 use crate::error::Result;
 use crate::recorder::{Column, Observer, Value};
-use crate::system::{Kind, Names, Port, Wiring};
+use crate::system::{Kind, Names, Port, System, Wiring};
 
 /// The recorded variables.
 pub(crate) struct Sampler {
@@ -27,12 +27,13 @@ struct Cell {
 
 impl Sampler {
     /// For variables by name, or all outputs when none is named.
-    pub(crate) fn new(wiring: &Wiring, run: &Run, variables: &[String]) -> Result<Self> {
+    pub(crate) fn new(system: &System, wiring: &Wiring, run: &Run, variables: &[String]) -> Result<Self> {
         let names = &wiring.names;
         let mut errors = Vec::new();
         let mut ports = Vec::new();
-        for name in variables {
-            match names.find(name, "output variables") {
+        let behind = |name: &String| system.connectors.get(name).cloned().unwrap_or_else(|| vec![name.clone()]);
+        for name in variables.iter().flat_map(behind) {
+            match names.find(&name, "output variables") {
                 Ok(port) => ports.push(port),
                 Err(error) => errors.push(error),
             }

@@ -1,17 +1,19 @@
 //! A system: instances of FMUs, connections between them, and start values.
 
 mod names;
+mod ssp;
 mod start;
 mod units;
 mod wiring;
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::fmt;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use swayless_modeldesc::types::DefaultExperiment;
+use swayless_modeldesc::types::{BaseUnit, DefaultExperiment};
 
+use crate::archive::Unpacked;
 use crate::error::{Error, Result};
 use crate::importer::Fmu;
 use crate::signals::InputSignals;
@@ -33,7 +35,11 @@ pub struct System {
     pub(crate) connections: Vec<Connection>,
     pub(crate) start_values: Vec<StartValue>,
     pub(crate) signals: Option<Arc<InputSignals>>,
+    /// The system's own connectors and the variables behind them: the inputs that one feeds, or the output that it shows.
+    pub(crate) connectors: BTreeMap<String, Vec<String>>,
     files: HashMap<PathBuf, Arc<Fmu>>,
+    /// The archive it came in; parameters may name files there.
+    archive: Option<Arc<Unpacked>>,
 }
 
 /// An instance of a model.
@@ -71,6 +77,8 @@ pub struct StartValue {
     pub value: String,
     /// The unit it is given in, if it is not the variable's.
     pub unit: Option<String>,
+    /// What that unit means, if not what the FMU says.
+    pub unit_definition: Option<BaseUnit>,
     /// Where it was given, for messages.
     pub place: String,
 }
@@ -83,10 +91,20 @@ impl System {
 
     /// Opens an `.ssp`, an `.ssd`, an `.fmu` or the folder of an unpacked FMU.
     pub fn open(path: impl AsRef<Path>) -> Result<Self> {
-        let path = path.as_ref();
+        Self::open_from(path.as_ref(), None)
+    }
+
+    /// Like [`open`](Self::open), but takes each FMU of a system description from this folder, by its file name, rather
+    /// than from where the description says: so one description serves both FMI versions.
+    pub fn open_with_fmus(path: impl AsRef<Path>, folder: &Path) -> Result<Self> {
+        Self::open_from(path.as_ref(), Some(folder))
+    }
+
+    fn open_from(path: &Path, fmus: Option<&Path>) -> Result<Self> {
         let extension = path.extension().map(|extension| extension.to_ascii_lowercase()).unwrap_or_default();
         match extension.to_str() {
-            Some("ssd" | "ssp") => Err(Error::Option("SSP is not read yet".to_owned())),
+            Some("ssd") => ssp::open(path, false, fmus),
+            Some("ssp") => ssp::open(path, true, fmus),
             _ => {
                 let fmu = Arc::new(Fmu::open(path)?);
                 let name = fmu.description().model_name.clone();
@@ -95,13 +113,6 @@ impl System {
                 Ok(system)
             }
         }
-    }
-
-    /// Like [`open`](Self::open), but takes each FMU of a system description from this folder, by its file name, rather
-    /// than from where the description says: so one description serves both FMI versions.
-    pub fn open_with_fmus(path: impl AsRef<Path>, folder: &Path) -> Result<Self> {
-        let _ = folder;
-        Self::open(path)
     }
 
     /// Adds an instance of the FMU in a file; a file that is named twice is opened once.
@@ -142,7 +153,7 @@ impl System {
     pub fn set_start_value(&mut self, variable: impl Into<String>, value: impl Into<String>) {
         let (variable, value) = (variable.into(), value.into());
         let place = format!("start value {variable} = {value}");
-        self.add_start_value(StartValue { variable, value, unit: None, place });
+        self.add_start_value(StartValue { variable, value, unit: None, unit_definition: None, place });
     }
 
     /// Sets a start value with all it can have.

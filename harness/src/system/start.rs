@@ -113,11 +113,14 @@ fn check_range(names: &Names, port: Port, values: &[f64]) -> Result<(), String> 
 fn unit(names: &Names, port: Port, start: &StartValue) -> Result<Option<(f64, f64)>> {
     let (Some(from), Some(to)) = (start.unit.as_deref(), names.unit(port)) else { return Ok(None) };
     let model = names.description(port.instance);
-    units::conversion((from, model), (to, model), false).map_err(|units::Mismatch(reason)| Error::StartValue {
-        variable: names.name(port),
-        value: format!("{} {from}", start.value),
-        reason: format!("`{from}` cannot be converted to `{to}`: {reason}"),
-    })
+    let definition = start.unit_definition.or_else(|| units::definition(model, from));
+    units::conversion((from, definition), (to, units::definition(model, to)), false).map_err(
+        |units::Mismatch(reason)| Error::StartValue {
+            variable: names.name(port),
+            value: format!("{} {from}", start.value),
+            reason: format!("`{from}` cannot be converted to `{to}`: {reason}"),
+        },
+    )
 }
 
 type Items<'a> = &'a [swayless_modeldesc::types::Item];

@@ -6,13 +6,15 @@ use swayless_modeldesc::types::{BaseUnit, ModelDescription};
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Mismatch(pub String);
 
+/// A unit by its name, with its definition if there is one.
+pub(crate) type Unit<'a> = (&'a str, Option<BaseUnit>);
+
 /// `to = factor · from + offset`, or `None` when nothing has to be done.
 pub(crate) fn conversion(
-    (from, from_model): (&str, &ModelDescription),
-    (to, to_model): (&str, &ModelDescription),
+    (from, from_base): Unit,
+    (to, to_base): Unit,
     relative: bool,
 ) -> Result<Option<(f64, f64)>, Mismatch> {
-    let (from_base, to_base) = (definition(from_model, from), definition(to_model, to));
     let (Some(a), Some(b)) = (from_base, to_base) else {
         // Without definitions the name is all there is to go by.
         let undefined = if from_base.is_none() { from } else { to };
@@ -34,11 +36,12 @@ pub(crate) fn conversion(
     Ok(Some((a.factor / b.factor, offset)))
 }
 
-fn definition<'a>(model: &'a ModelDescription, name: &str) -> Option<&'a BaseUnit> {
-    model.units.iter().find(|unit| unit.name == name)?.base.as_ref()
+/// What a model description says of a unit.
+pub(crate) fn definition(model: &ModelDescription, name: &str) -> Option<BaseUnit> {
+    model.units.iter().find(|unit| unit.name == name)?.base
 }
 
-fn dimensions(unit: &BaseUnit) -> String {
+fn dimensions(unit: BaseUnit) -> String {
     let factors: Vec<String> = BaseUnit::SYMBOLS
         .iter()
         .zip(unit.exponents)

@@ -71,8 +71,12 @@ impl<'a> Wiring<'a> {
         }
         let mut drives = Vec::new();
         if let Some(signals) = &system.signals {
-            for (column, name) in signals.names.iter().enumerate() {
-                match drive(&names, signals, column, name) {
+            let columns = signals.names.iter().enumerate().flat_map(|(column, name)| {
+                let behind = system.connectors.get(name).cloned().unwrap_or_else(|| vec![name.clone()]);
+                behind.into_iter().map(move |name| (column, name))
+            });
+            for (column, name) in columns {
+                match drive(&names, signals, column, &name) {
                     Ok(drive) => {
                         let source = format!("column `{name}` of {}", signals.path.display());
                         sources.entry(drive.to).or_default().push(source);
@@ -157,13 +161,15 @@ fn scale(names: &Names, connection: &Connection, from: Port, to: Port) -> Result
     let converted = match (names.unit(from), names.unit(to)) {
         (Some(a), Some(b)) if connection.convert_units => {
             let relative = names.variable(from).attributes.relative_quantity;
-            let ends = ((a, names.description(from.instance)), (b, names.description(to.instance)));
-            units::conversion(ends.0, ends.1, relative).map_err(|units::Mismatch(reason)| Error::UnitMismatch {
-                from: names.name(from),
-                to: names.name(to),
-                from_unit: a.to_owned(),
-                to_unit: b.to_owned(),
-                reason,
+            let defined = |name, port: Port| (name, units::definition(names.description(port.instance), name));
+            units::conversion(defined(a, from), defined(b, to), relative).map_err(|units::Mismatch(reason)| {
+                Error::UnitMismatch {
+                    from: names.name(from),
+                    to: names.name(to),
+                    from_unit: a.to_owned(),
+                    to_unit: b.to_owned(),
+                    reason,
+                }
             })?
         }
         // A unit on one side only is a number that fits everywhere.
