@@ -8,6 +8,8 @@ pub mod write;
 mod xml_out;
 
 #[cfg(feature = "read")]
+pub mod check;
+#[cfg(feature = "read")]
 pub mod problem;
 #[cfg(feature = "read")]
 pub mod read;

@@ -73,6 +73,12 @@ pub(crate) struct Report {
     problems: Vec<Problem>,
 }
 
+impl From<Vec<Problem>> for Report {
+    fn from(problems: Vec<Problem>) -> Self {
+        Self { problems }
+    }
+}
+
 impl Report {
     pub(crate) fn error(&mut self, line: usize, message: impl Into<String>) {
         self.add(line, Severity::Error, message.into());
