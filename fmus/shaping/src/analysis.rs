@@ -15,7 +15,7 @@ use crate::mode::damped_share;
 /// the result is NaN or meaningless.
 #[must_use]
 pub fn residual_vibration(shaper: &Shaper, frequency: f64, damping_ratio: f64) -> f64 {
-    Residual::new(shaper, damping_ratio).vibration(frequency)
+    Residual::new(shaper, damping_ratio, 1.0).vibration(frequency)
 }
 
 /// One point of a sensitivity curve.
@@ -34,7 +34,7 @@ pub fn sensitivity_curve(
     frequencies: RangeInclusive<f64>,
     points: usize,
 ) -> impl ExactSizeIterator<Item = Sensitivity> {
-    let residual = Residual::new(shaper, damping_ratio);
+    let residual = Residual::new(shaper, damping_ratio, 1.0);
     let (first, last) = frequencies.into_inner();
     let intervals = points.saturating_sub(1).max(1) as f64;
     (0..points).map(move |point| {
@@ -44,15 +44,16 @@ pub fn sensitivity_curve(
     })
 }
 
-/// f(ω) = ΣAᵢ e^{κᵢω} with κᵢ = (ζ + j√(1 − ζ²))(tᵢ − tₙ): V = |f|, and no exponent is positive.
+/// f(ω) = ΣAᵢ e^{κᵢω} with κᵢ = (ζ + j√(1 − ζ²))(tᵢ − tₙ): V = |f|, and no exponent is positive. ω is in units of `unit`.
 pub(crate) struct Residual<'a> {
     shaper: &'a Shaper,
     rate: Complex<f64>,
+    unit: f64,
 }
 
 impl<'a> Residual<'a> {
-    pub fn new(shaper: &'a Shaper, damping_ratio: f64) -> Self {
-        Self { shaper, rate: Complex::new(damping_ratio, damped_share(damping_ratio)) }
+    pub fn new(shaper: &'a Shaper, damping_ratio: f64, unit: f64) -> Self {
+        Self { shaper, rate: Complex::new(damping_ratio, damped_share(damping_ratio)), unit }
     }
 
     pub fn vibration(&self, frequency: f64) -> f64 {
@@ -65,12 +66,17 @@ impl<'a> Residual<'a> {
         (value.norm_sqr(), 2.0 * (slope * value.conj()).re)
     }
 
+    /// A bound on V over all frequencies: Σ|Aᵢ|.
+    pub fn highest(&self) -> f64 {
+        self.shaper.impulses().iter().map(|impulse| impulse.amplitude.abs()).sum()
+    }
+
     /// A bound on |d²V²/dω²| over all frequencies from the given one up: as |κᵢ| = tₙ − tᵢ, it is 2B₁² + 2B₀B₂ with
     /// Bₖ = Σ|Aᵢ|(tₙ − tᵢ)ᵏ e^{−ζω(tₙ − tᵢ)}.
     pub fn curvature_bound(&self, frequency: f64) -> f64 {
         let end = self.shaper.duration();
         let [b0, b1, b2] = self.shaper.impulses().iter().fold([0.0; 3], |[b0, b1, b2], impulse| {
-            let distance = end - impulse.time;
+            let distance = (end - impulse.time) * self.unit;
             let size = impulse.amplitude.abs() * (-self.rate.re * frequency * distance).exp();
             [b0 + size, b1 + size * distance, b2 + size * distance * distance]
         });
@@ -80,7 +86,7 @@ impl<'a> Residual<'a> {
     fn value_and_slope(&self, frequency: f64) -> (Complex<f64>, Complex<f64>) {
         let end = self.shaper.duration();
         self.shaper.impulses().iter().fold((Complex::ZERO, Complex::ZERO), |(value, slope), impulse| {
-            let kappa = self.rate * (impulse.time - end);
+            let kappa = self.rate * ((impulse.time - end) * self.unit);
             let phasor = (kappa * frequency).exp() * impulse.amplitude;
             (value + phasor, slope + kappa * phasor)
         })

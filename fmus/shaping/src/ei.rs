@@ -219,3 +219,46 @@ impl Impulse {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn largest_difference(a: Unknowns, b: Unknowns) -> f64 {
+        a.0.iter().zip(b.0).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+    }
+
+    /// The fit might lead to another solution than the one that grows out of the undamped shaper.
+    #[test]
+    fn fit_and_continuation_lead_to_the_same_shaper() {
+        for limit in [0.001, 0.01, 0.05, 0.1, 0.2] {
+            for zeta in [1e-6, 0.01, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3] {
+                // only limits much above those that the fit was made for need the continuation
+                let Some(fitted) = newton(fit(zeta, limit), zeta, limit) else {
+                    assert!(limit > 0.1, "ζ = {zeta}, V = {limit}");
+                    continue;
+                };
+                let followed = continuation(zeta, limit).unwrap();
+                assert!(largest_difference(fitted, followed) < 1e-9, "ζ = {zeta}, V = {limit}");
+            }
+        }
+    }
+
+    #[test]
+    fn derivatives_are_those_of_the_equations() {
+        let system = System::new(0.1, 0.05);
+        let at = SVector::from([0.4, 0.2, 3.2, 1.01, 0.03]);
+        let (_, jacobian) = system.at(&at);
+        for unknown in 0..5 {
+            let step = 1e-5;
+            let moved = |by: f64| {
+                let mut at = at;
+                at[unknown] += by;
+                system.at(&at).0
+            };
+            // central difference: error ~ step² times a third derivative of about 60
+            let slope = (moved(step) - moved(-step)) / (2.0 * step);
+            assert!((slope - jacobian.column(unknown)).amax() < 1e-8, "unknown {unknown}");
+        }
+    }
+}

@@ -22,9 +22,9 @@ impl Mode {
             return Err(ModeError::DampingRatio { value: damping_ratio });
         }
         let mode = Self { frequency, damping_ratio };
-        // A train lasts a few damped periods at most; 100 of them must still be a number.
+        // So that a train's times are numbers, too, and none of them subnormal.
         let usable = frequency > 0.0 && frequency.is_finite();
-        if !(usable && mode.damped_period().is_normal() && (100.0 * mode.damped_period()).is_finite()) {
+        if !(usable && (1e-3 * mode.damped_period()).is_normal() && (1e3 * mode.damped_period()).is_finite()) {
             return Err(ModeError::Frequency { value: frequency });
         }
         Ok(mode)

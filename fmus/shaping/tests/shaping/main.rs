@@ -13,15 +13,15 @@ use swayless_shaping::{Impulse, Kind, Mode, Shaper, design};
 const LIMIT: f64 = 0.05;
 
 fn mode(frequency: f64, damping_ratio: f64) -> Mode {
-    Mode::new(frequency, damping_ratio).unwrap()
+    Mode::new(frequency, damping_ratio).expect("a mode in range")
 }
 
 fn designed(kind: Kind, frequency: f64, damping_ratio: f64) -> Shaper {
-    design(kind, mode(frequency, damping_ratio), LIMIT).unwrap()
+    design(kind, mode(frequency, damping_ratio), LIMIT).expect("a design that exists")
 }
 
 fn shaper<const N: usize>(pairs: [(f64, f64); N]) -> Shaper {
-    Shaper::new(&pairs.map(|(time, amplitude)| Impulse { time, amplitude })).unwrap()
+    Shaper::new(&pairs.map(|(time, amplitude)| Impulse { time, amplitude })).expect("impulses in order")
 }
 
 /// Largest difference of two shapers, times relative to the longer duration; infinite if the counts differ.

@@ -8,12 +8,12 @@ use swayless_shaping::{Kind, band, insensitivity, residual_vibration};
 use crate::{designed, mode};
 
 fn table(name: &str) -> Vec<Value> {
-    let all: Value = serde_json::from_str(include_str!("data/single_mode.json")).unwrap();
-    all[name].as_array().unwrap().clone()
+    let all: Value = serde_json::from_str(include_str!("data/single_mode.json")).expect("JSON");
+    all[name].as_array().expect("a table").clone()
 }
 
 fn number(row: &Value, name: &str) -> f64 {
-    row[name].as_f64().unwrap()
+    row[name].as_f64().expect("a number")
 }
 
 fn close(value: f64, expected: f64, tolerance: f64) {

@@ -1,7 +1,7 @@
 //! Commands shaped while they change, against the plain double sum over changes and impulses.
 
 use proptest::prelude::*;
-use swayless_shaping::{Kind, Mode, Shaper, Trains, design};
+use swayless_shaping::{Kind, Shaper, Trains};
 
 use crate::{designed, shaper};
 
@@ -15,7 +15,7 @@ struct Change {
 
 fn changes() -> impl Strategy<Value = Vec<Change>> {
     let shaper = (proptest::sample::select(Kind::ALL.to_vec()), 0.5..8.0_f64, 0.0..0.3_f64)
-        .prop_map(|(kind, frequency, zeta)| design(kind, Mode::new(frequency, zeta).unwrap(), 0.05).unwrap());
+        .prop_map(|(kind, frequency, zeta)| designed(kind, frequency, zeta));
     let change = (0.0..0.7_f64, -2.0..2.0_f64, shaper);
     proptest::collection::vec(change, 1..60).prop_map(|gaps| {
         let mut now = 0.0;
