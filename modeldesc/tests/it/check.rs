@@ -1,8 +1,6 @@
 //! The checker: good descriptions have no problems, and each rule finds what breaks it.
 
-mod samples;
-
-use samples::{pendulum, pendulum_with_arrays};
+use crate::samples::{pendulum, pendulum_with_arrays};
 use swayless_modeldesc::check::{check, read_and_check};
 use swayless_modeldesc::types::*;
 
@@ -42,14 +40,14 @@ fn good_descriptions_have_no_problems() {
     for description in [pendulum(FmiVersion::V2), pendulum(FmiVersion::V3), pendulum_with_arrays()] {
         assert_eq!(check(&description), []);
     }
-    for golden in [include_bytes!("golden/fmi2.xml").as_slice(), include_bytes!("golden/fmi3.xml")] {
+    for golden in [include_bytes!("../golden/fmi2.xml").as_slice(), include_bytes!("../golden/fmi3.xml")] {
         assert_eq!(read_and_check(golden).unwrap().1, []);
     }
 }
 
 #[test]
 fn problems_of_a_file_have_the_lines_of_what_they_are_about() {
-    let text = include_str!("golden/fmi3.xml")
+    let text = include_str!("../golden/fmi3.xml")
         .replace("<Unit name=\"rad/s\">", "<Unit name=\"rad\">")
         .replace("name=\"Angle\" quantity=\"Angle\" unit=\"rad\"", "name=\"Angle\" quantity=\"Angle\" unit=\"m\"")
         .replace("stopTime=\"20.0\"", "stopTime=\"-20.0\"")

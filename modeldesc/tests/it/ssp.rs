@@ -1,12 +1,10 @@
 //! SSP documents: a system written by hand is read as it was meant, and written so that the same is read again.
 
-#![cfg(feature = "ssp")]
-
 use swayless_modeldesc::problem::{Problem, Severity};
 use swayless_modeldesc::ssp::*;
 use swayless_modeldesc::types::DataType;
 
-const CRANE: &str = include_str!("ssp/crane.ssd");
+const CRANE: &str = include_str!("../golden/crane_by_hand.ssd");
 
 fn crane() -> SystemStructureDescription {
     let (description, problems) = read_system(CRANE).expect("well-formed");
@@ -87,9 +85,9 @@ fn normalised(text: &str) -> String {
 fn what_was_written_is_read_again() {
     let written = write_system(&crane()).unwrap();
     if std::env::var_os("UPDATE_GOLDEN").is_some() {
-        std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden/crane.ssd"), &written).unwrap();
+        std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden/crane_written.ssd"), &written).unwrap();
     }
-    assert_eq!(written, include_str!("golden/crane.ssd"));
+    assert_eq!(written, include_str!("../golden/crane_written.ssd"));
     assert_eq!(normalised(&written), normalised(CRANE));
     assert_eq!(write_system(&read_system(&written).unwrap().0).unwrap(), written);
 }

@@ -173,3 +173,19 @@ pub fn pendulum_with_arrays() -> ModelDescription {
         vec![Unknown { variable: 12, dependencies: Some(Vec::new()), ..Unknown::default() }];
     md
 }
+
+/// Takes away what only a file has, so that descriptions can be compared.
+pub fn without_lines(mut description: ModelDescription) -> ModelDescription {
+    description.variables.iter_mut().for_each(|variable| variable.line = 0);
+    let structure = &mut description.structure;
+    for list in [
+        &mut structure.outputs,
+        &mut structure.derivatives,
+        &mut structure.clocked_states,
+        &mut structure.initial_unknowns,
+        &mut structure.event_indicators,
+    ] {
+        list.iter_mut().for_each(|unknown| unknown.line = 0);
+    }
+    description
+}

@@ -1,8 +1,6 @@
 //! The writer, against golden files that were checked by eye and by the standards' schemas.
 
-mod samples;
-
-use samples::{pendulum, pendulum_with_arrays};
+use crate::samples::{pendulum, pendulum_with_arrays};
 use swayless_modeldesc::types::*;
 use swayless_modeldesc::write::{WriteError, write};
 
@@ -18,12 +16,12 @@ fn golden(description: &ModelDescription, file: &str, expected: &str) {
 
 #[test]
 fn fmi2_is_written_as_expected() {
-    golden(&pendulum(FmiVersion::V2), "fmi2.xml", include_str!("golden/fmi2.xml"));
+    golden(&pendulum(FmiVersion::V2), "fmi2.xml", include_str!("../golden/fmi2.xml"));
 }
 
 #[test]
 fn fmi3_is_written_as_expected() {
-    golden(&pendulum_with_arrays(), "fmi3.xml", include_str!("golden/fmi3.xml"));
+    golden(&pendulum_with_arrays(), "fmi3.xml", include_str!("../golden/fmi3.xml"));
 }
 
 /// The error of writing the FMI 2.0 pendulum after a change.

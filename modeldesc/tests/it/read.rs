@@ -1,28 +1,10 @@
 //! The reader: what was written is read again; what is broken is reported with its line, never with a panic.
 
-mod samples;
-
-use samples::{pendulum, pendulum_with_arrays};
+use crate::samples::{pendulum, pendulum_with_arrays, without_lines};
 use swayless_modeldesc::problem::Severity;
 use swayless_modeldesc::read::{read, read_bytes};
 use swayless_modeldesc::types::*;
 use swayless_modeldesc::write::write;
-
-/// Takes away what only a file has, so that descriptions can be compared.
-fn without_lines(mut description: ModelDescription) -> ModelDescription {
-    description.variables.iter_mut().for_each(|variable| variable.line = 0);
-    let structure = &mut description.structure;
-    for list in [
-        &mut structure.outputs,
-        &mut structure.derivatives,
-        &mut structure.clocked_states,
-        &mut structure.initial_unknowns,
-        &mut structure.event_indicators,
-    ] {
-        list.iter_mut().for_each(|unknown| unknown.line = 0);
-    }
-    description
-}
 
 #[test]
 fn what_was_written_is_read() {
@@ -35,7 +17,7 @@ fn what_was_written_is_read() {
 
 #[test]
 fn variables_and_unknowns_know_their_lines() {
-    let text = include_str!("golden/fmi3.xml");
+    let text = include_str!("../golden/fmi3.xml");
     let (description, _) = read(text).unwrap();
     for variable in &description.variables {
         let line = text.lines().nth(variable.line - 1).unwrap();
@@ -45,8 +27,8 @@ fn variables_and_unknowns_know_their_lines() {
     assert!(text.lines().nth(unknown.line - 1).unwrap().contains("EventIndicator"));
 }
 
-const FMI2: &str = include_str!("golden/fmi2.xml");
-const FMI3: &str = include_str!("golden/fmi3.xml");
+const FMI2: &str = include_str!("../golden/fmi2.xml");
+const FMI3: &str = include_str!("../golden/fmi3.xml");
 
 /// Replaces a part of a good document, reads it, and wants one error, in the line of the change.
 #[track_caller]

@@ -1,0 +1,10 @@
+//! The crate from outside: what it writes, reads and finds.
+
+#![cfg(feature = "ssp")]
+
+mod check;
+mod properties;
+mod read;
+mod samples;
+mod ssp;
+mod write;
