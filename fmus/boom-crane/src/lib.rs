@@ -1,11 +1,11 @@
 //! `BoomCrane`: a mobile boom crane with a suspended payload, driven by rates (thesis 2.1).
 
 use swayless_export::{Environment, Event, Info, Model, Point, Problem, Scalar, Variables, export_fmu};
-use swayless_mechanics::{Boom, BoomRates, Payload, Suspension, Swing, SwingFrame, Vector};
+use swayless_mechanics::{Boom, BoomRates, Limits, Payload, Suspension, Swing, SwingFrame, Vector};
 
 mod variables;
 
-use variables::{Inputs, Outputs, Parameters, States};
+use variables::{Discrete, Inputs, Outputs, Parameters, States};
 
 /// The model.
 struct BoomCrane;
@@ -19,7 +19,8 @@ struct Motion<R: Scalar> {
     suspension: Suspension<R>,
 }
 
-fn motion<R: Scalar>(p: &Parameters<R>, u: &Inputs<R>, x: &States<R>) -> Motion<R> {
+fn motion<R: Scalar>(at: &Point<'_, BoomCrane, R>) -> Motion<R> {
+    let Point { p, u, x, d, .. } = *at;
     let boom = Boom {
         base: [x.base.x, x.base.y],
         yaw: x.base.yaw,
@@ -33,14 +34,22 @@ fn motion<R: Scalar>(p: &Parameters<R>, u: &Inputs<R>, x: &States<R>) -> Motion<
         base: [u.base.velocity.x, u.base.velocity.y],
         yaw: u.base.yaw_rate,
         slew: u.slew.rate,
-        luff: u.luff.rate,
+        luff: R::select(d.luff.stopped, R::zero(), u.luff.rate),
     };
     let frame = boom.swing_frame(&rates);
     let payload =
         Payload { direction: Vector::from(x.cable.direction), velocity: Vector::from(x.payload.velocity_across) };
-    let suspension =
-        Suspension { pivot: boom.tip_velocity(&frame, &rates), length: x.hoist.length, length_rate: u.hoist.rate };
+    let length_rate = R::select(d.hoist.stopped, R::zero(), u.hoist.rate);
+    let suspension = Suspension { pivot: boom.tip_velocity(&frame, &rates), length: x.hoist.length, length_rate };
     Motion { boom, rates, frame, payload, suspension }
+}
+
+fn luff_limits(p: &Parameters<f64>) -> Limits {
+    Limits { min: p.luff.angle_min, max: p.luff.angle_max }
+}
+
+fn hoist_limits(p: &Parameters<f64>) -> Limits {
+    Limits { min: p.hoist.length_min, max: p.hoist.length_max }
 }
 
 impl Model for BoomCrane {
@@ -56,9 +65,15 @@ impl Model for BoomCrane {
     type Inputs<R: Scalar> = Inputs<R>;
     type States<R: Scalar> = States<R>;
     type Outputs<R: Scalar> = Outputs<R>;
-    type Discrete<R: Scalar> = ();
+    type Discrete<R: Scalar> = Discrete;
     type Memory = ();
-    type Indicators = [f64; 0];
+    type Indicators = [f64; 4];
+
+    fn check(p: &Parameters<f64>, declared: &States<f64>) -> Vec<Problem> {
+        let luff = luff_limits(p).check(declared.luff.angle).map(|why| Problem::new("luff.angle", why));
+        let hoist = hoist_limits(p).check(declared.hoist.length).map(|why| Problem::new("hoist.length", why));
+        luff.into_iter().chain(hoist).collect()
+    }
 
     fn memory(_: &Parameters<f64>, _: &Environment<'_>) -> Result<(), Problem> {
         Ok(())
@@ -76,7 +91,7 @@ impl Model for BoomCrane {
     }
 
     fn derivatives<R: Scalar>(at: &Point<'_, Self, R>) -> States<R> {
-        let Motion { rates, payload, suspension, .. } = motion(at.p, at.u, at.x);
+        let Motion { rates, payload, suspension, .. } = motion(at);
         let wind = Vector::new(at.u.wind.x, at.u.wind.y, at.u.wind.z) / at.p.payload.mass;
         let pull = wind - Vector::new(R::zero(), R::zero(), at.p.gravity);
         let payload = payload.rates(&suspension, pull, at.p.swing.damping);
@@ -92,7 +107,7 @@ impl Model for BoomCrane {
     }
 
     fn outputs<R: Scalar>(at: &Point<'_, Self, R>) -> Outputs<R> {
-        let Motion { boom, frame, payload, suspension, .. } = motion(at.p, at.u, at.x);
+        let Motion { boom, frame, payload, suspension, .. } = motion(at);
         let n = payload.unit();
         let swing = frame.angles(n);
         let rates = frame.rates(n, payload.direction_rate(&suspension));
@@ -107,11 +122,16 @@ impl Model for BoomCrane {
         y
     }
 
-    fn indicators(_: &Point<'_, Self, f64>) -> [f64; 0] {
-        []
+    fn indicators(at: &Point<'_, Self, f64>) -> [f64; 4] {
+        let [lowest, highest] = luff_limits(at.p).indicators(at.x.luff.angle, at.u.luff.rate);
+        let [shortest, longest] = hoist_limits(at.p).indicators(at.x.hoist.length, at.u.hoist.rate);
+        [lowest, highest, shortest, longest]
     }
 
-    fn event(_: &mut Event<'_, Self>) -> Option<f64> {
+    fn event(at: &mut Event<'_, Self>) -> Option<f64> {
+        at.d.luff.stopped = luff_limits(at.p).hold(&mut at.x.luff.angle, at.u.luff.rate);
+        at.d.hoist.stopped = hoist_limits(at.p).hold(&mut at.x.hoist.length, at.u.hoist.rate);
+        at.d.at_limit = at.d.luff.stopped || at.d.hoist.stopped;
         None
     }
 }

@@ -5,6 +5,8 @@ use swayless_export::{Scalar, Variables};
 #[derive(Clone, Variables)]
 pub struct Parameters<R: Scalar> {
     pub boom: BoomParameters<R>,
+    pub luff: LuffParameters<R>,
+    pub hoist: HoistParameters<R>,
     pub payload: PayloadParameters<R>,
     pub swing: SwingParameters<R>,
     /// Gravity.
@@ -26,6 +28,26 @@ pub struct BoomParameters<R: Scalar> {
 }
 
 #[derive(Clone, Variables)]
+pub struct LuffParameters<R: Scalar> {
+    /// Least luff angle, where the boom stops.
+    #[variable(unit = "rad", min = -1.57, max = 1.57)]
+    pub angle_min: R,
+    /// Greatest luff angle, where the boom stops.
+    #[variable(unit = "rad", start = 1.5, min = -1.57, max = 1.57)]
+    pub angle_max: R,
+}
+
+#[derive(Clone, Variables)]
+pub struct HoistParameters<R: Scalar> {
+    /// Least suspension length, where the hoist stops.
+    #[variable(unit = "m", start = 0.5, min = 1e-3)]
+    pub length_min: R,
+    /// Greatest suspension length, where the hoist stops.
+    #[variable(unit = "m", start = 200.0, min = 1e-3)]
+    pub length_max: R,
+}
+
+#[derive(Clone, Variables)]
 pub struct PayloadParameters<R: Scalar> {
     /// Mass of the payload; it matters to wind and tension only.
     #[variable(unit = "kg", start = 1000.0, min = 1e-6)]
@@ -41,7 +63,7 @@ pub struct SwingParameters<R: Scalar> {
     #[variable(unit = "rad", min = -1.57, max = 1.57)]
     pub radial_start: R,
     /// Tangential swing at the start.
-    #[variable(unit = "rad", min = -3.1416, max = 3.1416)]
+    #[variable(unit = "rad", min = -std::f64::consts::PI, max = std::f64::consts::PI)]
     pub tangential_start: R,
     /// Rate of the radial swing at the start.
     #[variable(unit = "rad/s")]
@@ -220,4 +242,27 @@ pub struct PayloadOutputs<R: Scalar> {
     /// Height of the payload.
     #[variable(unit = "m")]
     pub z: R,
+}
+
+#[derive(Clone, Variables)]
+pub struct Discrete {
+    /// Whether luff or hoist stands at a limit.
+    #[variable(output, depends_on = ["luff.angle", "luff.rate", "hoist.length", "hoist.rate"])]
+    pub at_limit: bool,
+    pub luff: LuffStop,
+    pub hoist: HoistStop,
+}
+
+#[derive(Clone, Variables)]
+pub struct LuffStop {
+    /// Whether the boom stands at a limit.
+    #[variable(depends_on = ["luff.angle", "luff.rate"])]
+    pub stopped: bool,
+}
+
+#[derive(Clone, Variables)]
+pub struct HoistStop {
+    /// Whether the hoist stands at a limit.
+    #[variable(depends_on = ["hoist.length", "hoist.rate"])]
+    pub stopped: bool,
 }

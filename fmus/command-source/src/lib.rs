@@ -30,7 +30,7 @@ impl Model for CommandSource {
     type Memory = Vec<Segment>;
     type Indicators = [f64; 0];
 
-    fn check(p: &Parameters<f64>) -> Vec<Problem> {
+    fn check(p: &Parameters<f64>, (): &()) -> Vec<Problem> {
         profile::check(p)
     }
 

@@ -31,7 +31,7 @@ pub enum Leaf {
     Boolean,
     Integer,
     Text,
-    Enumeration(Type),
+    Enumeration(Box<Type>),
 }
 
 impl Variable {
@@ -47,7 +47,7 @@ impl Variable {
             }
             other => match leaf(other, real) {
                 Some(leaf) => Kind::Scalar(leaf),
-                None if attributes.present => Kind::Scalar(Leaf::Enumeration(other.clone())),
+                None if attributes.present => Kind::Scalar(Leaf::Enumeration(Box::new(other.clone()))),
                 None => Kind::Group(other.clone()),
             },
         };

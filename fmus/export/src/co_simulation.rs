@@ -23,13 +23,19 @@ impl<M: Model> Backup<M> {
 }
 
 impl<M: Model> Instance<M> {
+    /// Makes the room that steps need.
+    pub(crate) fn prepare_steps(&mut self) {
+        self.backup.discrete = self.memory.as_ref().map(|memory| (self.d.clone(), memory.clone()));
+    }
+
     /// Steps from `current` to `current + step`. On a refusal nothing has changed.
     pub fn do_step(&mut self, current: f64, step: f64) -> Result<(), Refusal> {
         if !(step > 0.0 && step.is_finite()) {
             return Err(Refusal::error(format!("communicationStepSize is {step} s; it must be positive")));
         }
         // A master may compute the point anew, so that its last bits differ from where the last step ended.
-        if !((current - self.t).abs() <= SAME_TIME * current.abs().max(self.t.abs()).max(step)) {
+        let apart = (current - self.t).abs();
+        if apart.is_nan() || apart > SAME_TIME * current.abs().max(self.t.abs()).max(step) {
             return Err(Refusal::error(format!(
                 "currentCommunicationPoint is {current} s, but the instance is at {} s",
                 self.t
@@ -84,15 +90,10 @@ impl<M: Model> Instance<M> {
     /// An event within a step: keeps what it changes, for the case that the step fails later.
     fn step_event(&mut self) -> Result<(), Refusal> {
         if !self.backup.changed
-            && let Some(memory) = &self.memory
+            && let (Some(memory), Some((d, kept))) = (&self.memory, &mut self.backup.discrete)
         {
-            match &mut self.backup.discrete {
-                Some((d, kept)) => {
-                    d.clone_from(&self.d);
-                    kept.clone_from(memory);
-                }
-                None => self.backup.discrete = Some((self.d.clone(), memory.clone())),
-            }
+            d.clone_from(&self.d);
+            kept.clone_from(memory);
             self.backup.changed = true;
         }
         self.event(false)?;

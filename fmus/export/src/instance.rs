@@ -141,7 +141,7 @@ impl<M: Model> Instance<M> {
             return Err(Refusal::error(format!("startTime is {start}; it must be a finite number")));
         }
         if let Some(stop) = stop
-            && !(stop >= start)
+            && (stop.is_nan() || stop < start)
         {
             return Err(Refusal::error(format!("stopTime is {stop}; it must not be less than startTime {start}")));
         }
@@ -168,7 +168,10 @@ impl<M: Model> Instance<M> {
         self.disturbed = false;
         self.phase = match self.interface {
             Interface::ModelExchange => Phase::Event,
-            Interface::CoSimulation => Phase::Step,
+            Interface::CoSimulation => {
+                self.prepare_steps();
+                Phase::Step
+            }
         };
         Ok(())
     }
@@ -178,7 +181,7 @@ impl<M: Model> Instance<M> {
         let mut problems = bounds(&self.parameter_declarations, &self.p);
         problems.extend(bounds(&self.state_declarations, &self.declared));
         if problems.is_empty() {
-            problems.extend(M::check(&self.p).iter().map(ToString::to_string));
+            problems.extend(M::check(&self.p, &self.declared).iter().map(ToString::to_string));
         }
         problems
     }

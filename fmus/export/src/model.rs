@@ -27,8 +27,8 @@ pub trait Model: Sized + Send + 'static {
     /// z: `[f64; N]`; a change between > 0 and ≤ 0 is an event.
     type Indicators: Indicators;
 
-    /// What is wrong with the parameters, beyond their declared bounds: all of it.
-    fn check(_: &Self::Parameters<f64>) -> Vec<Problem> {
+    /// What is wrong with parameters and start values of states, beyond their declared bounds: all of it.
+    fn check(_p: &Self::Parameters<f64>, _declared: &Self::States<f64>) -> Vec<Problem> {
         Vec::new()
     }
     /// The memory when initialization begins. Files are read here and nowhere else.

@@ -14,13 +14,25 @@ const PENDING: usize = 16_384;
 struct InputShaper;
 
 /// What the shaper remembers between events.
-#[derive(Clone)]
 struct Memory {
     trains: Trains,
     shaper: Shaper,
     /// When sampling began (s), and how many samples have been taken.
     begin: f64,
     samples: f64,
+}
+
+/// Copying into a memory uses its room again: it happens in every step that has an event.
+impl Clone for Memory {
+    fn clone(&self) -> Self {
+        Self { trains: self.trains.clone(), shaper: self.shaper.clone(), ..*self }
+    }
+
+    fn clone_from(&mut self, source: &Self) {
+        self.trains.clone_from(&source.trains);
+        self.shaper.clone_from(&source.shaper);
+        (self.begin, self.samples) = (source.begin, source.samples);
+    }
 }
 
 /// Why there is no shaper for a mode.
@@ -70,7 +82,7 @@ impl Model for InputShaper {
     type Memory = Memory;
     type Indicators = [f64; 0];
 
-    fn check(p: &Parameters<f64>) -> Vec<Problem> {
+    fn check(p: &Parameters<f64>, (): &()) -> Vec<Problem> {
         let mut problems = Vec::new();
         for (name, values) in [("frequency", p.mode.frequency), ("damping_ratio", p.mode.damping_ratio)] {
             if values[1] != 0.0 {

@@ -3,6 +3,7 @@
 use swayless_export::{Enumeration, Scalar, Variables};
 use swayless_shaping::MAX_IMPULSES;
 
+#[allow(clippy::upper_case_acronyms, reason = "the names are the literature's")]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Enumeration)]
 pub enum Kind {
     /// No shaping: the command passes through.

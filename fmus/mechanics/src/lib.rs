@@ -4,10 +4,12 @@
 //! velocity across the cable **w**; a crane is only the map from its joint rates to its pivot's velocity.
 
 mod boom;
+mod limit;
 mod payload;
 mod swing;
 
 pub use boom::{Boom, BoomRates};
+pub use limit::Limits;
 pub use payload::{Payload, Suspension};
 pub use swing::{Swing, SwingFrame};
 

@@ -58,6 +58,7 @@ impl Neg for Dependence {
 
 macro_rules! united {
     ($($operator:ident::$function:ident, $assign:ident::$function_assign:ident;)*) => { $(
+        #[allow(clippy::suspicious_arithmetic_impl, reason = "a result depends on both operands, whatever is done")]
         impl $operator for Dependence {
             type Output = Self;
             fn $function(self, other: Self) -> Self {
@@ -70,6 +71,7 @@ macro_rules! united {
                 self
             }
         }
+        #[allow(clippy::suspicious_op_assign_impl, reason = "a result depends on both operands, whatever is done")]
         impl $assign for Dependence {
             fn $function_assign(&mut self, other: Self) {
                 self.0 |= other.0;

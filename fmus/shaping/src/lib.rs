@@ -16,7 +16,7 @@
 //! ```
 //!
 //! Units are SI: seconds, rad/s. Amplitudes are shares of the command and sum to 1. Equation numbers are those of
-//! D. Danielson, *Mobile Boom Cranes and Advanced Input Shaping Control*, Georgia Institute of Technology, 2008.
+//! J. Danielson, *Mobile Boom Cranes and Advanced Input Shaping Control*, Georgia Institute of Technology, 2008.
 //! Nothing in a design allocates: a design may be renewed inside a simulation step.
 
 mod analysis;
