@@ -42,10 +42,16 @@ pub fn warn(text: impl Display) {
 
 /// Whether all that happened is that nobody reads stdout any more.
 pub fn is_closed_pipe(error: &(dyn Error + 'static)) -> bool {
-    let closed = |e: &(dyn Error + 'static)| {
-        e.downcast_ref::<std::io::Error>().is_some_and(|e| e.kind() == ErrorKind::BrokenPipe)
+    let is_closed = |e: &std::io::Error| e.kind() == ErrorKind::BrokenPipe;
+    let here = match error.downcast_ref::<std::io::Error>() {
+        // The CSV writer wraps what the system said, twice.
+        Some(io) => is_closed(io) || io.get_ref().is_some_and(|inner| is_closed_pipe(inner)),
+        None => {
+            let csv = error.downcast_ref::<csv::Error>();
+            csv.is_some_and(|e| matches!(e.kind(), csv::ErrorKind::Io(io) if is_closed(io)))
+        }
     };
-    closed(error) || error.source().is_some_and(is_closed_pipe)
+    here || error.source().is_some_and(is_closed_pipe)
 }
 
 /// A table with a header; the columns named in `numbers` are aligned to the right.

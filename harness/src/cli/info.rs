@@ -61,7 +61,8 @@ fn print_fmu(description: &ModelDescription) -> Result<(), Failure> {
     }
     facts.add_row(["Token", &description.instantiation_token]);
     for (name, interface) in interfaces(description) {
-        facts.add_row([name.to_owned(), capabilities(interface).join(", ")]);
+        let capabilities = capabilities(interface);
+        facts.add_row([name, &if capabilities.is_empty() { "plain".to_owned() } else { capabilities.join(", ") }]);
     }
     facts.add_row(["Continuous states".to_owned(), description.structure.derivatives.len().to_string()]);
     facts.add_row(["Event indicators".to_owned(), description.number_of_event_indicators.to_string()]);
@@ -72,7 +73,8 @@ fn print_fmu(description: &ModelDescription) -> Result<(), Failure> {
             ("step", experiment.step_size),
             ("tolerance", experiment.tolerance),
         ];
-        let text: Vec<_> = numbers.iter().filter_map(|(name, n)| Some(format!("{name} {}", (*n)?))).collect();
+        let text: Vec<_> =
+            numbers.iter().filter_map(|(name, n)| Some(format!("{name} {}", console::number((*n)?)))).collect();
         facts.add_row(["Default experiment", &text.join(", ")]);
     }
     // The empty header leaves an empty line.

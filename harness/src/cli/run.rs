@@ -144,7 +144,7 @@ fn options(arguments: &Arguments) -> Options {
 
 fn tell(name: &str, summary: &Summary) {
     console::note(format_args!(
-        "{name}: {} steps of {} s to t = {} s, {:.0} times as fast as time",
+        "{name}: {} steps of {} s to t = {} s, at {:.0} times real time",
         summary.steps,
         summary.step_size,
         summary.stop_time,

@@ -17,10 +17,17 @@ pub const PANELS: usize = 8;
 /// How many points of a curve are drawn; more cannot be told apart on a screen.
 const POINTS: usize = 4000;
 
-/// The height of a panel (px), of what surrounds the panels, and of the gap between two of them.
-const PANEL_HEIGHT: u32 = 190;
-const FRAME_HEIGHT: u32 = 130;
+/// Heights (px): of a panel, of the gap between two of them, of the time axis, of the plot's buttons, of a legend's row.
+const PANEL_HEIGHT: u32 = 180;
 const GAP: f64 = 22.0;
+const AXIS_HEIGHT: u32 = 56;
+const BUTTONS_HEIGHT: u32 = 34;
+const ROW_HEIGHT: u32 = 21;
+
+/// The width of a page (px) and of the room for a name in the legend: what is left of it, and what a letter takes.
+const WIDTH: usize = 1000;
+const NAME_WIDTH: usize = 48;
+const LETTER_WIDTH: usize = 8;
 
 const STYLE: &str = include_str!("page.css");
 const INK: &str = "#1c2733";
@@ -73,19 +80,38 @@ fn write_table(body: &mut String, table: &Table) {
 }
 
 fn write_figure(body: &mut String, figure: &Figure, index: usize) {
-    let height: u32 = figure.panels.iter().map(|p| PANEL_HEIGHT * p.height.max(1)).sum::<u32>() + FRAME_HEIGHT;
+    let height = panels_height(figure) + head_height(figure) + AXIS_HEIGHT;
     let _ = write!(
         body,
         "<section>\n<h2>{}</h2>\n<p>{}</p>\n<div style=\"height:{height}px\">{}</div>\n</section>\n",
         escape(&figure.title),
         escape(&figure.caption),
-        plot(figure, height).to_inline_html(Some(&format!("figure-{index}"))),
+        plot(figure).to_inline_html(Some(&format!("figure-{index}"))),
     );
 }
 
-fn plot(figure: &Figure, height: u32) -> Plot {
-    let panels = &figure.panels[..figure.panels.len().min(PANELS)];
-    let inner = f64::from(height - FRAME_HEIGHT);
+fn panels(figure: &Figure) -> &[Panel] {
+    &figure.panels[..figure.panels.len().min(PANELS)]
+}
+
+fn panels_height(figure: &Figure) -> u32 {
+    panels(figure).iter().map(|p| PANEL_HEIGHT * p.height.max(1)).sum()
+}
+
+/// The height of buttons and legend. The legend breaks into rows, for which nobody but us makes room.
+fn head_height(figure: &Figure) -> u32 {
+    let mut names: Vec<&str> = panels(figure).iter().flat_map(|p| &p.curves).map(|c| c.name.as_str()).collect();
+    names.sort_unstable();
+    names.dedup();
+    let widest = names.iter().map(|n| n.chars().count()).max().unwrap_or_default();
+    // Columns of a legend are as wide as its longest name.
+    let rows = (names.len() * (NAME_WIDTH + LETTER_WIDTH * widest)).div_ceil(WIDTH).max(1);
+    BUTTONS_HEIGHT + ROW_HEIGHT * u32::try_from(rows).unwrap_or(1)
+}
+
+fn plot(figure: &Figure) -> Plot {
+    let panels = panels(figure);
+    let inner = f64::from(panels_height(figure));
     let mut layout = Layout::new()
         .auto_size(true)
         .font(Font::new().family(FONT).size(13).color(INK))
@@ -93,14 +119,14 @@ fn plot(figure: &Figure, height: u32) -> Plot {
         .plot_background_color("#ffffff")
         .hover_mode(HoverMode::X)
         .hover_label(Label::new().font(Font::new().size(12)))
-        .margin(Margin::new().left(72).right(16).top(56).bottom(56))
+        .margin(Margin::new().left(72).right(16).top(head_height(figure) as usize).bottom(AXIS_HEIGHT as usize))
         .legend(
             Legend::new()
                 .orientation(Orientation::Horizontal)
                 .group_click(GroupClick::ToggleGroup)
                 .x(0.0)
                 .x_anchor(Anchor::Left)
-                .y(1.0 + 10.0 / inner)
+                .y(1.0 + 6.0 / inner)
                 .y_anchor(Anchor::Bottom),
         )
         .x_axis(axis().title(title("time (s)")).anchor(axis_name(panels.len().saturating_sub(1))));
@@ -247,7 +273,7 @@ mod tests {
 
     #[test]
     fn panels_share_the_time_axis() {
-        let plot = plot(&report().figures[0], 700).to_json();
+        let plot = plot(&report().figures[0]).to_json();
         assert!(plot.contains("\"yaxis3\"") && !plot.contains("\"xaxis2\""));
     }
 }

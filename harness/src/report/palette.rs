@@ -4,12 +4,15 @@
 /// Red, green and blue.
 pub type Rgb = [u8; 3];
 
-const COLORS: [Rgb; 7] =
+/// How many colours there are.
+pub const COLORS: usize = PALETTE.len();
+
+const PALETTE: [Rgb; 7] =
     [[42, 46, 52], [213, 94, 0], [0, 114, 178], [0, 158, 115], [204, 121, 167], [230, 159, 0], [86, 180, 233]];
 
 /// The colour at a place; beyond the last they begin again.
 pub fn color(place: usize) -> Rgb {
-    COLORS[place % COLORS.len()]
+    PALETTE[place % COLORS]
 }
 
 /// The colour at a place, as CSS writes it.

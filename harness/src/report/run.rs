@@ -1,46 +1,66 @@
-//! The report of any single run: for each instance a figure, for each unit a panel.
+//! The report of any single run: for each instance a figure, for variables of one group and unit a panel.
 
 use std::sync::Arc;
 
-use super::{Curve, Dash, Figure, Panel, Report, Shown, Style, Table, html};
+use super::{Curve, Dash, Figure, Panel, Report, Shown, Style, Table, html, palette};
 use crate::{Recording, Summary};
 
 /// The report of a run of a system.
 pub fn report(system: &str, recording: &Recording, summary: &Summary) -> Report {
     let times: Arc<[f64]> = recording.times.as_slice().into();
     let mut figures: Vec<Figure> = Vec::new();
-    for (index, name) in recording.names.iter().enumerate() {
+    for ((name, unit), values) in recording.names.iter().zip(&recording.units).zip(&recording.columns) {
         let (instance, variable) = name.split_once('.').unwrap_or((system, name));
-        let shown = Shown::of(recording.units[index].as_deref());
-        let label = if shown.unit.is_empty() { "no unit".to_owned() } else { shown.unit.clone() };
-        // A plot has room for a few panels only; what is left begins another of the same title.
-        let fits = |f: &&mut Figure| {
-            f.title == instance && (f.panels.len() < html::PANELS || f.panels.iter().any(|p| p.label == label))
-        };
-        let figure = match figures.iter().position(|f| fits(&&mut f.clone())) {
-            Some(place) => &mut figures[place],
-            None => {
-                figures.push(Figure { title: instance.to_owned(), ..Figure::default() });
-                let last = figures.len() - 1;
-                &mut figures[last]
-            }
-        };
-        let place = figure.panels.iter().position(|p| p.label == label).unwrap_or_else(|| {
-            figure.panels.push(Panel { label, height: 1, curves: Vec::new() });
-            figure.panels.len() - 1
-        });
-        let curves = &mut figure.panels[place].curves;
-        let style = Style { color: curves.len() + 1, width: 1.6, dash: Dash::Solid };
-        curves.push(Curve {
+        let group = variable.rsplit_once('.').map_or(variable, |(group, _)| group);
+        let shown = Shown::of(unit.as_deref());
+        let figure = figure(&mut figures, instance, &shown.label(group));
+        let style = style(figure.panels.iter().map(|p| p.curves.len()).sum());
+        let panel = panel(figure, shown.label(group));
+        panel.curves.push(Curve {
             name: variable.to_owned(),
             times: times.clone(),
-            values: shown.values(&recording.columns[index]),
+            values: shown.values(values),
             style,
             held: false,
             hidden: false,
         });
     }
     Report { title: system.to_owned(), introduction: Vec::new(), tables: vec![table(summary)], figures }
+}
+
+/// The figure of an instance that has this panel, or has room for it; a new one if there is none.
+fn figure<'a>(figures: &'a mut Vec<Figure>, instance: &str, label: &str) -> &'a mut Figure {
+    let of_instance =
+        |f: &Figure| f.title.strip_prefix(instance).is_some_and(|rest| rest.is_empty() || rest == CONTINUED);
+    let fits = |f: &Figure| f.panels.len() < html::PANELS || f.panels.iter().any(|p| p.label == label);
+    let place = figures.iter().position(|f| of_instance(f) && fits(f)).unwrap_or_else(|| {
+        let again = figures.iter().any(of_instance);
+        let title = if again { format!("{instance}{CONTINUED}") } else { instance.to_owned() };
+        figures.push(Figure { title, ..Figure::default() });
+        figures.len() - 1
+    });
+    &mut figures[place]
+}
+
+/// What the title of an instance's further figures ends in.
+const CONTINUED: &str = " (continued)";
+
+fn panel(figure: &mut Figure, label: String) -> &mut Panel {
+    let place = figure.panels.iter().position(|p| p.label == label).unwrap_or_else(|| {
+        figure.panels.push(Panel { label, height: 1, curves: Vec::new() });
+        figure.panels.len() - 1
+    });
+    &mut figure.panels[place]
+}
+
+/// Curves of a figure differ in colour, and in dashes once the colours are used up.
+fn style(place: usize) -> Style {
+    let dash = match place / palette::COLORS {
+        0 => Dash::Solid,
+        1 => Dash::Dashed,
+        _ => Dash::Dotted,
+    };
+    Style { color: place, width: 1.7, dash }
 }
 
 fn table(summary: &Summary) -> Table {
