@@ -178,6 +178,11 @@ impl<W: Write> CsvWriter<W> {
         Self { path: path.into(), writer: csv::Writer::from_writer(writer), field: Vec::new() }
     }
 
+    /// What was written to, once everything is.
+    pub fn into_inner(self) -> Result<W> {
+        self.writer.into_inner().map_err(|error| Error::io("write", self.path, error.into_error()))
+    }
+
     fn failed(&self, error: csv::Error) -> Error {
         Error::io("write", &self.path, error.into())
     }

@@ -54,20 +54,20 @@ impl InputSignals {
             let record = match record {
                 Ok(record) => record,
                 Err(problem) => {
-                    error(problem.position().map_or(0, csv::Position::line), problem.to_string());
+                    error(line_of(text, problem.position()), problem.to_string());
                     continue;
                 }
             };
-            let line = record.position().map_or(0, csv::Position::line);
+            let line = || line_of(text, record.position());
             if record.len() != names.len() {
-                error(line, format!("{} fields where the header has {}", record.len(), names.len()));
+                error(line(), format!("{} fields where the header has {}", record.len(), names.len()));
                 continue;
             }
             let mut numbers = Vec::with_capacity(names.len());
             for (field, name) in record.iter().zip(&names) {
                 match number(field) {
                     Some(value) => numbers.push(value),
-                    None => error(line, format!("`{name}`: `{field}` is not a finite number, true or false")),
+                    None => error(line(), format!("`{name}`: `{field}` is not a finite number, true or false")),
                 }
             }
             if numbers.len() < names.len() {
@@ -76,7 +76,7 @@ impl InputSignals {
             if let (Some(&last), Some(&time)) = (times.last(), numbers.first())
                 && time < last
             {
-                error(line, format!("the time {time} lies before {last}"));
+                error(line(), format!("the time {time} lies before {last}"));
                 continue;
             }
             times.push(numbers[0]);
@@ -91,6 +91,14 @@ impl InputSignals {
         names.remove(0);
         Ok(Self { path, names, times, columns })
     }
+}
+
+/// The line, from 1, that a record begins in. The reader itself counts from the end of the record before, so that empty
+/// lines in between would belong to the next record.
+fn line_of(text: &[u8], position: Option<&csv::Position>) -> u64 {
+    let byte = position.and_then(|position| usize::try_from(position.byte()).ok()).unwrap_or(0).min(text.len());
+    let empty = text[byte..].iter().take_while(|&&byte| byte == b'\n' || byte == b'\r').count();
+    1 + text[..byte + empty].iter().filter(|&&byte| byte == b'\n').count() as u64
 }
 
 fn number(field: &str) -> Option<f64> {
@@ -133,3 +141,6 @@ impl Cursor {
         column[self.row]
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -50,3 +50,40 @@ fn dimensions(unit: BaseUnit) -> String {
         .collect();
     if factors.is_empty() { "a plain number".to_owned() } else { factors.join("·") }
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn kelvin(factor: f64, offset: f64) -> Option<BaseUnit> {
+        Some(BaseUnit { exponents: [0, 0, 0, 0, 1, 0, 0, 0], factor, offset })
+    }
+
+    #[test]
+    fn equal_definitions_need_nothing_whatever_their_names() {
+        assert_eq!(conversion(("K", kelvin(1.0, 0.0)), ("kelvin", kelvin(1.0, 0.0)), false), Ok(None));
+        assert_eq!(conversion(("K", kelvin(1.0, 0.0)), ("degC", kelvin(1.0, 273.15)), true), Ok(None));
+        assert_eq!(conversion(("x", None), ("x", None), false), Ok(None));
+    }
+
+    #[test]
+    fn a_factor_of_zero_is_no_definition() {
+        assert!(conversion(("K", kelvin(1.0, 0.0)), ("zero", kelvin(0.0, 0.0)), false).is_err());
+    }
+
+    proptest! {
+        #[test]
+        fn there_and_back_is_where_it_began(
+            value in -1e3..1e3f64, a in (0.01..100.0f64, -300.0..300.0f64), b in (0.01..100.0f64, -300.0..300.0f64)
+        ) {
+            let (a, b) = (("a", kelvin(a.0, a.1)), ("b", kelvin(b.0, b.1)));
+            let convert = |from, to, value: f64| {
+                conversion(from, to, false).unwrap().map_or(value, |(factor, offset)| factor * value + offset)
+            };
+            let back = convert(b, a, convert(a, b, value));
+            prop_assert!((back - value).abs() <= 1e-6 * (1.0 + value.abs()), "{back} {value}");
+        }
+    }
+}
