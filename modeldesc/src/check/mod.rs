@@ -34,8 +34,8 @@ pub fn check(description: &ModelDescription) -> Vec<Problem> {
 /// As of [`read_bytes`](crate::read::read_bytes).
 pub fn read_and_check(bytes: &[u8]) -> Result<(ModelDescription, Vec<Problem>), ReadError> {
     let text = xml_in::decode(bytes)?;
-    let (description, problems) = crate::read::read(text)?;
-    let lines = Lines::of(&xml_in::parse(text)?);
+    let (description, problems) = crate::read::read(&text)?;
+    let lines = Lines::of(&xml_in::parse(&text, &mut Report::default())?);
     let mut report = Report::from(problems);
     check_with(&description, &lines, &mut report);
     Ok((description, report.into_problems()))

@@ -26,7 +26,8 @@ use crate::xml_in::{self, Fields, Node};
 /// [`ReadError`] if the text is not well-formed XML, has a document type definition or is nested absurdly deep, if its
 /// root is no `fmiModelDescription`, or if it is for a version other than 2.0 and 3.
 pub fn read(xml: &str) -> Result<(ModelDescription, Vec<Problem>), ReadError> {
-    let root = xml_in::parse(xml)?;
+    let mut report = Report::default();
+    let root = xml_in::parse(xml, &mut report)?;
     if root.name != "fmiModelDescription" {
         return Err(ReadError {
             line: root.line,
@@ -34,7 +35,6 @@ pub fn read(xml: &str) -> Result<(ModelDescription, Vec<Problem>), ReadError> {
         });
     }
     let version = root.attributes.iter().find(|(key, _)| key == "fmiVersion").map_or("", |(_, value)| value.trim());
-    let mut report = Report::default();
     let description = if version == "2.0" {
         fmi2::read(&root, &mut report)
     } else if version.starts_with("3.") {
@@ -51,13 +51,14 @@ pub fn read(xml: &str) -> Result<(ModelDescription, Vec<Problem>), ReadError> {
     Ok((description, report.into_problems()))
 }
 
-/// Like [`read`], from the bytes of a file, which must be UTF-8 with or without a byte order mark.
+/// Like [`read`], from the bytes of a file: UTF-8 with or without a byte order mark. Latin-1 that is declared as such is
+/// read and reported.
 ///
 /// # Errors
 ///
-/// As of [`read`], and if the bytes are not UTF-8.
+/// As of [`read`], and if the bytes are in another encoding.
 pub fn read_bytes(bytes: &[u8]) -> Result<(ModelDescription, Vec<Problem>), ReadError> {
-    read(xml_in::decode(bytes)?)
+    read(&xml_in::decode(bytes)?)
 }
 
 /// The attributes of the root that both versions share.

@@ -11,11 +11,12 @@ pub(crate) use fields::check_children_but;
 pub(crate) use fields::{Child, Fields, check_children};
 pub(crate) use values::{Parse, hex_bytes, parse_list};
 
-use crate::problem::ReadError;
+use crate::problem::{ReadError, Report};
 use quick_xml::XmlVersion;
 use quick_xml::events::{BytesDecl, BytesStart, Event};
 use quick_xml::name::ResolveResult;
 use quick_xml::reader::NsReader;
+use std::borrow::Cow;
 use std::rc::Rc;
 
 /// Deeper than any sensible system of systems, shallow enough for recursion.
@@ -38,21 +39,38 @@ pub(crate) struct Node {
     pub line: usize,
 }
 
-/// Checks that bytes are UTF-8, as the standards demand, and takes away the byte order mark.
-pub(crate) fn decode(bytes: &[u8]) -> Result<&str, ReadError> {
+/// The text of a file. The standards want UTF-8, with or without a byte order mark; what declares itself to be Latin-1
+/// is read, too, because many exporters did so.
+pub(crate) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, ReadError> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    std::str::from_utf8(bytes).map_err(|error| {
-        let valid = &bytes[..error.valid_up_to()];
-        ReadError { line: count_lines(valid) + 1, message: "the text is not UTF-8; save it as UTF-8".to_owned() }
-    })
+    match std::str::from_utf8(bytes) {
+        Ok(text) => Ok(text.into()),
+        Err(_) if declares_latin1(bytes) => Ok(bytes.iter().copied().map(char::from).collect::<String>().into()),
+        Err(error) => {
+            let valid = &bytes[..error.valid_up_to()];
+            Err(ReadError {
+                line: count_lines(valid) + 1,
+                message: "the text is not UTF-8; save it as UTF-8".to_owned(),
+            })
+        }
+    }
+}
+
+fn declares_latin1(bytes: &[u8]) -> bool {
+    let head = bytes.split(|b| *b == b'>').next().unwrap_or_default().to_ascii_lowercase();
+    let head = String::from_utf8_lossy(&head);
+    head.starts_with("<?xml")
+        && ["\"iso-8859-1\"", "'iso-8859-1'", "\"windows-1252\"", "'windows-1252'"]
+            .iter()
+            .any(|name| head.contains(name))
 }
 
 fn count_lines(bytes: &[u8]) -> usize {
     bytes.iter().filter(|b| **b == b'\n').count()
 }
 
-/// Parses a document into its root element.
-pub(crate) fn parse(text: &str) -> Result<Node, ReadError> {
+/// Parses a document into its root element. A wrong encoding in the declaration is reported but does no harm any more.
+pub(crate) fn parse(text: &str, report: &mut Report) -> Result<Node, ReadError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let mut parser = Parser {
         text,
@@ -64,7 +82,7 @@ pub(crate) fn parse(text: &str) -> Result<Node, ReadError> {
         skipped: 0,
         root: None,
     };
-    while parser.step()? {}
+    while parser.step(report)? {}
     parser.root.ok_or_else(|| ReadError { line: 0, message: "there is no XML element".to_owned() })
 }
 
@@ -96,7 +114,7 @@ impl<'a> Parser<'a> {
     }
 
     /// Takes one event; false at the end.
-    fn step(&mut self) -> Result<bool, ReadError> {
+    fn step(&mut self, report: &mut Report) -> Result<bool, ReadError> {
         let at = self.reader.buffer_position();
         self.count_to(at);
         let (namespace, event) = match self.reader.read_resolved_event() {
@@ -140,7 +158,7 @@ impl<'a> Parser<'a> {
             Event::DocType(_) => {
                 return Err(self.error("a document type definition is not allowed here; remove it"));
             }
-            Event::Decl(declaration) => self.declaration(&declaration)?,
+            Event::Decl(declaration) => self.declaration(&declaration, report)?,
             Event::Eof if !self.open.is_empty() || self.skipped > 0 => {
                 let name = self.open.last().map_or("Annotations", |node| &node.name);
                 return Err(self.error(format!("the document ends inside `{name}`; it seems to be cut off")));
@@ -157,12 +175,16 @@ impl<'a> Parser<'a> {
             && matches!(start.local_name().into_inner(), "Annotations" | "VendorAnnotations" | "Annotation")
     }
 
-    fn declaration(&self, declaration: &BytesDecl<'_>) -> Result<(), ReadError> {
+    fn declaration(&self, declaration: &BytesDecl<'_>, report: &mut Report) -> Result<(), ReadError> {
         match declaration.encoding() {
             None => Ok(()),
             Some(Ok(name)) if name.eq_ignore_ascii_case("utf-8") || name.eq_ignore_ascii_case("us-ascii") => Ok(()),
             Some(Ok(name)) => {
-                Err(self.error(format!("the encoding is declared as {name} but must be UTF-8; convert the file")))
+                report.error(
+                    self.line,
+                    format!("the encoding is declared as {name} but must be UTF-8; convert the file"),
+                );
+                Ok(())
             }
             Some(Err(error)) => Err(self.error(format!("not well-formed XML declaration: {error}"))),
         }
@@ -240,16 +262,20 @@ fn is_xml_character(c: char) -> bool {
 mod tests {
     use super::*;
 
+    fn good_or(text: &str) -> Result<Node, ReadError> {
+        parse(text, &mut Report::default())
+    }
+
     #[track_caller]
     fn fails(text: &str, line: usize, part: &str) {
-        let error = parse(text).unwrap_err();
+        let error = good_or(text).unwrap_err();
         assert_eq!(error.line, line, "{error}");
         assert!(error.message.contains(part), "{error}");
     }
 
     #[test]
     fn elements_know_their_lines() {
-        let root = parse("<?xml version='1.0'?>\n<a>\n  <b x='1'\n y='2'/>\n  <c/></a>\n").unwrap();
+        let root = good_or("<?xml version='1.0'?>\n<a>\n  <b x='1'\n y='2'/>\n  <c/></a>\n").unwrap();
         assert_eq!((root.line, root.children[0].line, root.children[1].line), (2, 3, 5));
         assert_eq!(root.children[0].attributes, [("x".into(), "1".into()), ("y".into(), "2".into())]);
     }
@@ -257,14 +283,14 @@ mod tests {
     #[test]
     fn annotations_are_skipped_whatever_they_hold() {
         let deep = "<x>".repeat(10_000) + "text" + &"</x>".repeat(10_000);
-        let root = parse(&format!("<a><Annotations>{deep}</Annotations><Annotations/><b/></a>")).unwrap();
+        let root = good_or(&format!("<a><Annotations>{deep}</Annotations><Annotations/><b/></a>")).unwrap();
         assert_eq!(root.children.len(), 1);
         assert_eq!(root.text, None);
     }
 
     #[test]
     fn namespaces_are_resolved() {
-        let root = parse("<p:a xmlns:p='urn:x' p:z='1'><b/></p:a>").unwrap();
+        let root = good_or("<p:a xmlns:p='urn:x' p:z='1'><b/></p:a>").unwrap();
         assert_eq!((&*root.name, &*root.namespace, root.attributes.len()), ("a", "urn:x", 0));
         assert_eq!(&*root.children[0].namespace, "");
         fails("<q:a/>", 1, "prefix `q`");
@@ -282,14 +308,23 @@ mod tests {
         fails("<a x='&nbsp;'/>", 1, "nbsp");
         fails("<a x='&#1;'/>", 1, "does not allow");
         fails("<a x='<'/>", 1, "&lt;");
-        fails("<?xml version='1.0' encoding='latin-1'?><a/>", 1, "UTF-8");
         fails("<!DOCTYPE a [<!ENTITY b 'bb'>]>\n<a x='&b;'/>", 1, "document type");
         fails(&"<a>".repeat(100_000), 1, "nested");
     }
 
     #[test]
     fn other_encodings_are_refused_with_the_line() {
-        assert_eq!(decode(b"\xef\xbb\xbf<a/>"), Ok("<a/>"));
+        assert_eq!(decode(b"\xef\xbb\xbf<a/>").unwrap(), "<a/>");
         assert_eq!(decode(b"<a>\n\n\xe4</a>").unwrap_err().line, 3);
+        assert_eq!(decode(b"\xff\xfe<\0a\0/\0>\0").unwrap_err().line, 1);
+    }
+
+    #[test]
+    fn latin_1_is_read_and_reported() {
+        let bytes = b"<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?><a b='\xe4'/>";
+        let mut report = Report::default();
+        let root = parse(&decode(bytes).unwrap(), &mut report).unwrap();
+        assert_eq!(root.attributes[0].1, "ä");
+        assert!(report.into_problems()[0].message.contains("ISO-8859-1"));
     }
 }

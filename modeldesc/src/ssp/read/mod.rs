@@ -43,14 +43,14 @@ fn read<T>(
     schema: &str,
     content: fn(&Node, &mut Report) -> T,
 ) -> Result<(T, Vec<Problem>), ReadError> {
-    let node = xml_in::parse(xml)?;
+    let mut report = Report::default();
+    let node = xml_in::parse(xml, &mut report)?;
     if node.name != root {
         return Err(ReadError {
             line: node.line,
             message: format!("the root is `{}` but must be `{root}`", node.name),
         });
     }
-    let mut report = Report::default();
     if node.namespace.strip_prefix(NAMESPACE) != Some(schema) {
         report.error(
             node.line,
