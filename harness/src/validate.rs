@@ -5,7 +5,7 @@ use std::path::Path;
 
 use swayless_modeldesc::problem::{Problem, ReadError, Severity};
 use swayless_modeldesc::types::ModelDescription;
-use swayless_modeldesc::{read, ssp};
+use swayless_modeldesc::{check, ssp};
 
 use crate::archive::Unpacked;
 use crate::error::{Error, Result};
@@ -71,7 +71,7 @@ fn in_archive(
 
 fn fmu(file: &Path, folder: &Path) -> Result<Vec<Finding>> {
     let bytes = std::fs::read(file).map_err(|source| Error::io("read", file, source))?;
-    let (description, mut findings) = document(read::read_bytes(&bytes), Some(DESCRIPTION));
+    let (description, mut findings) = document(check::read_and_check(&bytes), Some(DESCRIPTION));
     findings.extend(description.iter().flat_map(|d| binaries(d, folder)));
     Ok(findings)
 }

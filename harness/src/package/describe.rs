@@ -4,6 +4,7 @@ use std::ffi::{CStr, c_void};
 use std::path::Path;
 
 use swayless_abi::describe;
+use swayless_modeldesc::check;
 use swayless_modeldesc::problem::Severity;
 
 use super::Error;
