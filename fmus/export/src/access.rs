@@ -3,6 +3,7 @@
 use crate::declaration::Declaration;
 use crate::instance::{Instance, Refusal, range};
 use crate::layout::{Block, Layout};
+use crate::log::Category;
 use crate::model::Model;
 use crate::phase::{Interface, Phase};
 use crate::variables::{Value, Variables};
@@ -52,10 +53,17 @@ impl<M: Model> Instance<M> {
         let starting = matches!(self.phase, Phase::Instantiated | Phase::Initialization);
         match block {
             Block::Inputs => {
-                if self.phase == Phase::ContinuousTime && self.input(index).is_none_or(|input| input.discrete) {
-                    return self.not_now(block, index, "a discrete input changes in Event Mode only");
-                }
                 if self.u.get(index) == value {
+                    return Ok(());
+                }
+                if self.phase == Phase::ContinuousTime && self.input(index).is_none_or(|input| input.discrete) {
+                    // Not an error: while it integrates, FMPy applies its signals to all inputs, and just behind an
+                    // event once more with their values before it.
+                    if self.log.wants(Category::Events) {
+                        let name = Layout::<M>::name(block, index);
+                        let held = format!("{name} keeps its value: a discrete input changes in Event Mode only");
+                        self.log.write(&self.name, Category::Events, &held);
+                    }
                     return Ok(());
                 }
                 if !self.u.set(index, value) {
