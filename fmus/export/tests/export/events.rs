@@ -1,0 +1,84 @@
+//! State events and time events inside co-simulation steps, against closed forms.
+
+use swayless_export::abi::fmi3::OK;
+
+use crate::host::Host;
+
+const G: f64 = 9.81;
+
+/// Height of a ball dropped from 1 m with restitution ½ at a time before it lies.
+fn height(t: f64) -> (f64, i32) {
+    let mut begin = 0.0;
+    let (mut h, mut v) = (1.0_f64, 0.0_f64);
+    let mut bounces = 0;
+    loop {
+        let flight = (v + (v * v + 2.0 * G * h).sqrt()) / G;
+        if t < begin + flight {
+            let s = t - begin;
+            return (h + v * s - 0.5 * G * s * s, bounces);
+        }
+        begin += flight;
+        (h, v) = (0.0, -0.5 * (v - G * flight));
+        bounces += 1;
+    }
+}
+
+#[test]
+fn bounces_are_found_inside_steps() {
+    // One step over several bounces, and many steps: the events are where they are.
+    for step in [0.01, 0.25] {
+        let ball = Host::co_simulation();
+        ball.initialize();
+        let steps = (1.25_f64 / step).round() as usize;
+        for n in 0..steps {
+            assert_eq!(ball.step(n as f64 * step, step), OK, "{:?}", ball.log);
+            let (expected, bounces) = height((n + 1) as f64 * step);
+            let found = ball.get("height");
+            assert!((found - expected).abs() < 1e-12, "{n}: {found} for {expected}");
+            assert_eq!(ball.integer("bounces"), bounces);
+        }
+        assert_eq!(ball.integer("bounces"), 4);
+    }
+}
+
+#[test]
+fn ticks_fall_on_their_time() {
+    let ball = Host::co_simulation();
+    assert_eq!(ball.set("tick", 0.1), OK);
+    ball.initialize();
+    // The end of a step counts: 0.3 is 3 · 0.1 but for its last bit, and the tick is at 3.0 · 0.1 itself.
+    assert_eq!(ball.step(0.0, 0.25), OK);
+    assert_eq!(ball.integer("ticks"), 2);
+    assert_eq!(ball.step(0.25, 0.05), OK);
+    assert_eq!(ball.integer("ticks"), if 0.25 + 0.05 >= 3.0 * 0.1 { 3 } else { 2 });
+    assert_eq!(ball.step(0.3, 0.7), OK);
+    assert_eq!(ball.integer("ticks"), 10);
+}
+
+#[test]
+fn an_input_acts_at_the_begin_of_its_step() {
+    let ball = Host::co_simulation();
+    ball.initialize();
+    assert_eq!(ball.step(0.0, 0.1), OK);
+    // Weightless from here: the velocity stays.
+    assert_eq!(ball.set("push", G), OK);
+    assert_eq!(ball.step(0.1, 0.1), OK);
+    let expected = 1.0 - 0.5 * G * 0.01 - G * 0.1 * 0.1;
+    assert!((ball.get("height") - expected).abs() < 1e-13);
+    // The ground rises through the ball: an event at the begin of the step, though nothing crosses inside it.
+    assert_eq!(ball.set("floor", 2.0), OK);
+    assert_eq!(ball.step(0.2, 0.001), OK);
+    assert_eq!(ball.integer("bounces"), 1);
+}
+
+#[test]
+fn events_are_logged() {
+    let ball = Host::co_simulation();
+    ball.initialize();
+    assert_eq!(ball.step(0.0, 0.5), OK);
+    let fall = (2.0 / G).sqrt();
+    let (status, category, text) = &ball.log[0];
+    assert_eq!((*status, category.as_str()), (0, "logEvents"));
+    let time: f64 = text.split(' ').nth(2).unwrap().parse().unwrap();
+    assert!((time - fall).abs() < 1e-14, "{text}");
+}

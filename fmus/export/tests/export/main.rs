@@ -1,0 +1,12 @@
+//! Tests of the export runtime through its C functions, with a bouncing ball whose motion has a closed form.
+
+#![allow(missing_docs, reason = "a test binary has no readers of its documentation")]
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod ball;
+mod description;
+mod events;
+mod host;
+mod life_cycle;
+mod refusals;
+mod values;

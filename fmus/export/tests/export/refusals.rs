@@ -1,0 +1,137 @@
+//! Calls that must be refused, with which status and what message; and what the instance is afterwards.
+
+use swayless_export::abi::fmi3::{DISCARD, ERROR, FATAL, OK};
+use swayless_export::fmi3;
+
+use crate::ball::Ball;
+use crate::host::Host;
+
+#[test]
+fn parameters_out_of_range_are_all_named_when_initialization_ends() {
+    let ball = Host::co_simulation();
+    assert_eq!(ball.set("gravity", -1.0), OK);
+    assert_eq!(ball.set("restitution", 2.0), OK);
+    assert_eq!(ball.enter_initialization(), OK);
+    assert_eq!(ball.exit_initialization(), ERROR);
+    let message = ball.last_message();
+    assert!(message.contains("gravity is -1; it must be at least 0.1 m/s2"), "{message}");
+    assert!(message.contains("restitution is 2; it must lie between 0 and 1 1"), "{message}");
+    assert_eq!(ball.step(0.0, 0.1), ERROR);
+    assert_eq!(ball.reset(), OK);
+    ball.initialize();
+    assert_eq!(ball.step(0.0, 0.1), OK);
+}
+
+#[test]
+fn an_input_that_is_no_number_discards_the_step_and_changes_nothing() {
+    let (ball, twin) = (Host::co_simulation(), Host::co_simulation());
+    ball.initialize();
+    twin.initialize();
+    assert_eq!((ball.step(0.0, 0.1), twin.step(0.0, 0.1)), (OK, OK));
+    for wrong in [f64::NAN, f64::INFINITY] {
+        assert_eq!(ball.set("push", wrong), OK);
+        assert_eq!(ball.step(0.1, 0.1), DISCARD);
+        assert!(ball.last_message().contains("input push is"), "{}", ball.last_message());
+        assert_eq!(ball.get("height").to_bits(), twin.get("height").to_bits());
+    }
+    assert_eq!(ball.set("push", 0.0), OK);
+    assert_eq!((ball.step(0.1, 0.1), twin.step(0.1, 0.1)), (OK, OK));
+    assert_eq!(ball.get("height").to_bits(), twin.get("height").to_bits());
+}
+
+#[test]
+fn a_step_that_fails_gives_everything_back() {
+    let (ball, twin) = (Host::co_simulation(), Host::co_simulation());
+    ball.initialize();
+    twin.initialize();
+    // Through a bounce, and then where no number goes.
+    assert_eq!(ball.set("push", 1e300), OK);
+    assert_eq!(ball.step(0.0, 1e10), DISCARD);
+    assert_eq!((ball.set("push", 0.0), ball.set("push", 0.0)), (OK, OK));
+    for n in 0..10 {
+        let t = f64::from(n) * 0.1;
+        assert_eq!((ball.step(t, 0.1), twin.step(t, 0.1)), (OK, OK), "{:?}", ball.log);
+        assert_eq!(ball.get("height").to_bits(), twin.get("height").to_bits());
+        assert_eq!(ball.integer("bounces"), twin.integer("bounces"));
+    }
+}
+
+#[test]
+fn fixed_and_tunable_parameters_differ_after_initialization() {
+    let ball = Host::co_simulation();
+    ball.initialize();
+    assert_eq!(ball.set("restitution", 0.25), OK);
+    assert_eq!(ball.set("restitution", 1.5), DISCARD);
+    assert_eq!(ball.get("restitution"), 0.25);
+    assert_eq!(ball.set("gravity", 1.0), ERROR);
+    assert!(ball.last_message().contains("gravity cannot be set"), "{}", ball.last_message());
+}
+
+#[test]
+fn the_communication_point_may_differ_in_its_last_bits_only() {
+    let ball = Host::co_simulation();
+    ball.initialize();
+    assert_eq!(ball.step(0.0, 0.1), OK);
+    assert_eq!(ball.step(0.1 + 1e-13, 0.1), OK);
+    assert_eq!(ball.step(0.3, 0.1), ERROR);
+    assert!(ball.last_message().contains("0.3"), "{}", ball.last_message());
+}
+
+#[test]
+fn a_step_needs_a_length() {
+    for h in [0.0, -0.1, f64::NAN, f64::INFINITY] {
+        let ball = Host::co_simulation();
+        ball.initialize();
+        assert_eq!(ball.step(0.0, h), ERROR);
+    }
+}
+
+#[test]
+fn a_wrong_type_or_item_is_an_error() {
+    let ball = Host::co_simulation();
+    assert_eq!(ball.set("number", 1.0), ERROR);
+    assert_eq!(ball.reset(), OK);
+    assert_eq!(ball.set_item("ground", 3), ERROR);
+    assert_eq!(ball.reset(), OK);
+    assert_eq!(ball.set_item("ground", i64::MAX), ERROR);
+    assert_eq!(ball.reset(), OK);
+    assert_eq!(ball.set("clearance", 1.0), ERROR);
+    assert!(ball.last_message().contains("calculated"), "{}", ball.last_message());
+}
+
+#[test]
+fn a_panic_is_fatal_and_the_host_lives() {
+    let ball = Host::co_simulation();
+    assert_eq!(ball.set_boolean("panics", true), OK);
+    ball.initialize();
+    assert_eq!(ball.step(0.0, 1.0), FATAL);
+    let (status, category, text) = ball.log.last().unwrap();
+    assert_eq!((*status, category.as_str()), (FATAL, "logStatusFatal"));
+    assert!(text.contains("the ball panics"), "{text}");
+    assert_eq!(ball.reset(), ERROR);
+}
+
+#[test]
+fn what_is_not_offered_is_refused() {
+    let ball = Host::co_simulation();
+    ball.initialize();
+    let mut state = std::ptr::null_mut();
+    // SAFETY: an instance and a place.
+    assert_eq!(unsafe { fmi3::fmi3GetFMUState::<Ball>(ball.instance, &mut state) }, ERROR);
+    assert!(state.is_null());
+}
+
+#[test]
+fn errors_are_logged_even_when_logging_is_off() {
+    let ball = Host::co_simulation();
+    // SAFETY: an instance and no categories.
+    assert_eq!(unsafe { fmi3::fmi3SetDebugLogging::<Ball>(ball.instance, 0, 0, std::ptr::null()) }, OK);
+    ball.initialize();
+    assert_eq!(ball.step(0.0, 0.5), OK);
+    assert!(ball.log.is_empty());
+    assert_eq!(ball.step(9.0, 0.5), ERROR);
+    assert_eq!(ball.log.len(), 1);
+    let unknown = c"logNonsense".as_ptr();
+    // SAFETY: an instance and one category.
+    assert_eq!(unsafe { fmi3::fmi3SetDebugLogging::<Ball>(ball.instance, 1, 1, &unknown) }, ERROR);
+}
