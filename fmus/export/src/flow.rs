@@ -3,11 +3,13 @@
 use crate::instance::{Instance, Refusal};
 use crate::integrator::DormandPrince;
 use crate::layout::{Block, Layout};
-use crate::model::{Model, Point};
+use crate::model::{Indicators, Model, Point};
 use crate::variables::Variables;
 
 /// A step shorter than this part of the time is taken as stuck.
 const SHORTEST: f64 = 1e-15;
+/// Two crossings closer than this part of the time are not told apart.
+const TWICE: f64 = 1e-9;
 /// The bracket of an event is narrow enough long before.
 const MOST_TRIALS: usize = 150;
 
@@ -154,6 +156,15 @@ impl<M: Model> Instance<M> {
                 self.t = if event >= rest { target } else { t + event };
                 *primed = false;
                 return Ok(true);
+            }
+            // There and back within one step: smaller steps will see it.
+            if M::Indicators::COUNT > 0
+                && h > TWICE * t.abs().max(1.0)
+                && crossing(&before, &field.indicators(t + 0.5 * h, rk.middle(x, h)))
+            {
+                *z = Some(before);
+                *wanted = 0.5 * h;
+                continue;
             }
             *z = Some(after);
             x.copy_from_slice(&rk.end);

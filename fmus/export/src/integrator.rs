@@ -42,6 +42,14 @@ impl DormandPrince {
         first[0].copy_from_slice(&rest[5]);
     }
 
+    /// The states in the middle of the step last taken, by the cubic through its ends and their derivatives.
+    pub fn middle(&mut self, x: &[f64], h: f64) -> &[f64] {
+        for (i, place) in self.stage.iter_mut().enumerate() {
+            *place = 0.5 * (x[i] + self.end[i]) + 0.125 * h * (self.k[0][i] - self.k[6][i]);
+        }
+        &self.stage
+    }
+
     /// Takes a step of length `h` from `x` at `t` to [`end`](Self::end). Returns the estimate of its error, scaled so
     /// that at most 1 is within the tolerance: `|e_i| ≤ tolerance · max(nominal_i, |x_i|)` in the root mean square.
     pub fn step(

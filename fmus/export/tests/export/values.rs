@@ -63,7 +63,7 @@ fn texts_and_items_come_back() {
 fn nothing_is_fine_with_null_and_dangling_pointers() {
     let ball = Host::co_simulation();
     ball.initialize();
-    let dangling = 4 as *const u32;
+    let dangling = ptr::dangling::<u32>();
     // SAFETY: nothing is announced, so nothing is read.
     unsafe {
         assert_eq!(fmi3::fmi3GetFloat64::<Ball>(ball.instance, dangling, 0, ptr::null_mut(), 0), OK);
