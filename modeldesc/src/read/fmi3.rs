@@ -225,7 +225,8 @@ fn children(node: &Node, variable: &mut Variable, report: &mut Report) {
         let mut fields = Fields::of(child);
         match child.name.as_str() {
             "Dimension" => variable.dimensions.extend(dimension(child, &mut fields, report)),
-            "Start" => texts.push((child.line, fields.text("value").unwrap_or_default())),
+            // The schema forgot to require it.
+            "Start" => texts.push((child.line, fields.required("value", report))),
             "Alias" => variable.aliases.push(Alias {
                 name: fields.required("name", report),
                 description: fields.text("description"),

@@ -106,6 +106,9 @@ fn broken_forms_are_reported_in_their_line() {
     );
     problem(FMI2, "causality=\"input\"", "causality=\"input\" initial=\"exact\"", "must not have `initial`");
     problem(FMI2, "causality=\"input\"", "causality=\"structuralParameter\"", "does not know");
+    problem(FMI2, "<Boolean start=\"true\"/>", "<Boolean start=\"true\"/><Integer/>", "more than one type");
+    problem(FMI2, "<Boolean start=\"true\"/>", "<Boolean start=\"true\"/><Float64/>", "`Float64` does not belong");
+    problem(FMI3, "<Start value=\"00FF1A\"/>", "<Start/>", "needs the attribute `value`");
     problem(FMI3, "causality=\"structuralParameter\"", "causality=\"in\"", "must be one of structuralParameter,");
     problem(FMI3, "<Start value=\"00FF1A\"/>", "<Start value=\"00FF1\"/>", "hexadecimal");
     problem(FMI3, "<Dimension valueReference=\"8\"/>", "<Dimension/>", "either `start` or `valueReference`");
@@ -141,6 +144,33 @@ fn order_number_and_emptiness_of_elements_are_reported() {
             "line 4: error: `UnitDefinitions` needs the element `Unit`",
             "line 5: error: `UnitDefinitions` must stand before `ModelStructure`",
             "line 5: error: `UnitDefinitions` stands twice in `fmiModelDescription`",
+        ]
+    );
+}
+
+#[test]
+fn a_variable_of_no_type_keeps_its_place() {
+    let (description, problems) = read(&FMI2.replace("<Boolean start=\"true\"/>", "")).unwrap();
+    assert!(problems[0].message.contains("needs one of the elements Real, Integer"), "{}", problems[0]);
+    assert_eq!(description.variables.len(), pendulum(FmiVersion::V2).variables.len());
+}
+
+#[test]
+fn what_is_no_variable_or_type_is_reported() {
+    let (description, problems) = read(
+        "<fmiModelDescription fmiVersion='3.0' modelName='m' instantiationToken='t'>
+        <TypeDefinitions/>
+        <ModelVariables><Float128 name='a' valueReference='1'/></ModelVariables>
+        <ModelStructure/></fmiModelDescription>",
+    )
+    .unwrap();
+    assert_eq!(description.variables, []);
+    let problems: Vec<String> = problems.iter().map(ToString::to_string).collect();
+    assert_eq!(
+        problems,
+        [
+            "line 2: error: `TypeDefinitions` must not be empty; remove it",
+            "line 3: error: `Float128` is not a type of variable; remove it",
         ]
     );
 }

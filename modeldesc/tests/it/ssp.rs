@@ -193,6 +193,29 @@ fn broken_forms_are_reported_in_their_line() {
     problem("implementation=\"CoSimulation\"", "implementation=\"CS\"", "must be one of any, ModelExchange");
     problem("<ssv:Integer value=\"3\"/>", "", "needs a type and a value");
     problem("<ssv:Integer value=\"3\"/>", "<ssv:Integer value=\"3000000000\"/>", "must be from");
+    problem("<ssv:Integer value=\"3\"/>", "<ssv:Integer value=\"3\"/><ssv:Real value=\"3\"/>", "does not belong");
+    problem(
+        "<ssc:LinearTransformation factor=\"1000\"/>",
+        "<ssc:LinearTransformation/><ssc:BooleanMappingTransformation><ssc:MapEntry source='1' target='0'/>\
+         </ssc:BooleanMappingTransformation>",
+        "more than one transformation",
+    );
+    problem(
+        "<ssd:Connector name=\"wind.x\" kind=\"input\"/>",
+        "<ssd:Connector name=\"wind.x\" kind=\"input\"><ssc:Dimension size='1' sizeConnector='n'/></ssd:Connector>",
+        "both `size` and `sizeConnector`",
+    );
+    problem(
+        "<ssd:Connector name=\"wind.x\" kind=\"input\"/>",
+        "<ssd:Connector name=\"wind.x\" kind=\"input\"><ssc:Complex/></ssd:Connector>",
+        "`Complex` does not belong",
+    );
+    problem(
+        "<ssv:String value=\"a b.csv\"/>",
+        "<ssv:String value=\"a\"><ssv:Value value=\"b\"/></ssv:String>",
+        "both `value` and `Value`",
+    );
+    problem("<ssd:Elements>", "<ssd:Elements><ssd:Part/>", "`Part` does not belong into `Elements`");
     problem("<ssv:Boolean value=\"1\"/>", "<ssv:Boolean/>", "needs the attribute `value`");
     problem("<ssv:Binary value=\"00ff\"/>", "<ssv:Binary value=\"00f\"/>", "hexadecimal");
     problem("<ssd:ParameterBinding source=\"extra/start.ssv\"", "<ssd:ParameterBinding ", "neither a `source`");
@@ -248,6 +271,8 @@ fn names_and_definitions_are_unique_and_known() {
         ("<ssv:Real value=\"6.5\" unit=\"m\"/>", "<ssv:Real value=\"6.5\" unit=\"km\"/>", "unit `km`"),
         ("source=\"resources/BoomCrane.fmu\"", "source=\"https://x/BoomCrane.fmu\"", "`https:`"),
         ("source=\"resources/more.ssv\"", "source=\"%\"", "not a valid URI"),
+        ("<ssd:ParameterMapping>", "<ssd:ParameterMapping source=\"%\"/><ssd:ParameterMapping>", "parameter mapping: "),
+        ("version=\"1.0\" name=\"Crane\"", "version=\"3.0\" name=\"Crane\"", "only SSP 1 and SSP 2"),
         ("startTime=\"0\"", "startTime=\"61\"", "before it starts"),
         ("<ssd:Component name=\"drive\"", "<ssd:Component name=\"\"", "not empty"),
     ] {
@@ -271,6 +296,15 @@ fn signal_dictionaries_are_skipped_with_a_warning() {
     .unwrap();
     assert_eq!(description.system.elements.len(), 2);
     assert_eq!(problems[0].severity, Severity::Warning);
+}
+
+#[test]
+fn elements_must_not_be_empty() {
+    let text = "<ssd:SystemStructureDescription xmlns:ssd='http://ssp-standard.org/SSP1/SystemStructureDescription' \
+        version='1.0' name='a'><ssd:System name='b'><ssd:Elements/></ssd:System></ssd:SystemStructureDescription>";
+    let (_, problems) = read_system(text).unwrap();
+    assert_eq!(problems.len(), 1);
+    assert!(problems[0].message.contains("`Elements` must not be empty"));
 }
 
 #[test]
