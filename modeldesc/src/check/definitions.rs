@@ -94,7 +94,7 @@ fn items(definition: &TypeDefinition, line: usize, report: &mut Report) {
 /// Unit, display unit, bounds and nominal value, of a type or a variable.
 pub(super) fn attributes(scope: &Scope<'_>, attributes: &Attributes, owner: &str, line: usize, report: &mut Report) {
     let unit = attributes.unit.as_deref().map(|name| {
-        let unit = scope.description.units.iter().find(|unit| unit.name == name);
+        let unit = scope.unit(name);
         if unit.is_none() {
             report.error(line, format!("{owner} has the unit `{name}`, which is not defined in UnitDefinitions"));
         }

@@ -1,15 +1,17 @@
 //! Where the parts of a document stand that do not know it themselves.
 
 use crate::xml_in::Node;
+use std::collections::HashMap;
 
-/// The lines of definitions by what they are and how they are called. Empty for a description that was not read.
+/// The first and the last line of definitions by what they are and how they are called. Empty for a description that
+/// was not read.
 #[derive(Debug, Default)]
 pub(super) struct Lines {
-    named: Vec<(Part, String, usize)>,
+    named: HashMap<(Part, String), (usize, usize)>,
 }
 
 /// A part of the document.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(super) enum Part {
     Root,
     Interface,
@@ -39,22 +41,25 @@ impl Lines {
                 _ => {}
             }
         }
-        Self { named }
+        let mut lines = Self::default();
+        for (part, name, line) in named {
+            lines.named.entry((part, name)).or_insert((line, line)).1 = line;
+        }
+        lines
     }
 
     /// The line of a part, 0 if it is not known.
     pub(super) fn line(&self, part: Part, name: &str) -> usize {
-        self.nth(part, name, 0)
+        self.find(part, name).0
     }
 
     /// The line of the last part of this name: of two definitions that clash, the later one is to blame.
     pub(super) fn last(&self, part: Part, name: &str) -> usize {
-        let count = self.named.iter().filter(|(p, n, _)| *p == part && n == name).count();
-        self.nth(part, name, count.saturating_sub(1))
+        self.find(part, name).1
     }
 
-    fn nth(&self, part: Part, name: &str, n: usize) -> usize {
-        self.named.iter().filter(|(p, known, _)| *p == part && known == name).nth(n).map_or(0, |(_, _, line)| *line)
+    fn find(&self, part: Part, name: &str) -> (usize, usize) {
+        self.named.get(&(part, name.to_owned())).copied().unwrap_or_default()
     }
 }
 

@@ -60,6 +60,7 @@ struct Scope<'a> {
     lines: &'a Lines,
     references: HashMap<u32, &'a Variable>,
     types: HashMap<&'a str, &'a TypeDefinition>,
+    units: HashMap<&'a str, &'a Unit>,
 }
 
 impl<'a> Scope<'a> {
@@ -69,7 +70,8 @@ impl<'a> Scope<'a> {
             references.entry(variable.value_reference).or_insert(variable);
         }
         let types = description.type_definitions.iter().map(|t| (t.name.as_str(), t)).collect();
-        Self { description, lines, references, types }
+        let units = description.units.iter().map(|u| (u.name.as_str(), u)).collect();
+        Self { description, lines, references, types, units }
     }
 
     fn is(&self, version: FmiVersion) -> bool {
@@ -84,6 +86,11 @@ impl<'a> Scope<'a> {
     /// A variable by its value reference.
     fn by_reference(&self, reference: u32) -> Option<&'a Variable> {
         self.references.get(&reference).copied()
+    }
+
+    /// A unit by its name.
+    fn unit(&self, name: &str) -> Option<&'a Unit> {
+        self.units.get(name).copied()
     }
 
     /// The type that a variable declares.

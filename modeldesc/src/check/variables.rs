@@ -12,8 +12,7 @@ pub(super) fn check(scope: &Scope<'_>, variable: &Variable, report: &mut Report)
     definitions::attributes(scope, &scope.attributes(variable), &owner, variable.line, report);
     for alias in &variable.aliases {
         if let Some(display) = &alias.display_unit {
-            let unit =
-                scope.attributes(variable).unit.map(|name| scope.description.units.iter().find(|u| u.name == name));
+            let unit = scope.attributes(variable).unit.map(|name| scope.unit(&name));
             definitions::display_unit(unit, display, &format!("`{}`", alias.name), variable.line, report);
         }
     }

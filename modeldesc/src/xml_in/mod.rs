@@ -22,6 +22,9 @@ use std::rc::Rc;
 /// Deeper than any sensible system of systems, shallow enough for recursion.
 const DEEPEST: usize = 128;
 
+/// Far more than any element of the standards has. Looking for duplicates takes the square of it.
+const MOST_ATTRIBUTES: usize = 1000;
+
 /// An element.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Node {
@@ -201,7 +204,10 @@ impl<'a> Parser<'a> {
             }
         };
         let mut attributes = Vec::new();
-        for attribute in start.attributes() {
+        for (count, attribute) in start.attributes().enumerate() {
+            if count >= MOST_ATTRIBUTES {
+                return Err(self.error(format!("`{}` has too many attributes", name_for_messages(start))));
+            }
             let attribute =
                 attribute.map_err(|error| self.error(format!("`{}`: {error}", name_for_messages(start))))?;
             let key = attribute.key.into_inner();
@@ -310,6 +316,8 @@ mod tests {
         fails("<a x='<'/>", 1, "&lt;");
         fails("<!DOCTYPE a [<!ENTITY b 'bb'>]>\n<a x='&b;'/>", 1, "document type");
         fails(&"<a>".repeat(100_000), 1, "nested");
+        let many: String = (0..100_000).map(|n| format!(" a{n}=''")).collect();
+        fails(&format!("<a{many}/>"), 1, "too many attributes");
     }
 
     #[test]
