@@ -1,31 +1,20 @@
 //! Co-simulation: one communication step.
 
-use crate::instance::{Instance, Refusal};
+use crate::backup::Backup;
+use crate::flow::{Field, Stuck};
+use crate::instance::{Instance, NOT_INITIALIZED, Refusal, is_due};
+use crate::layout::Layout;
 use crate::model::Model;
-use crate::variables::Variables;
 
 /// More events than this in one step mean that the model switches without end.
 const MOST_EVENTS: usize = 100_000;
 /// How far the importer's time may lie from the instance's, relative to it.
 const SAME_TIME: f64 = 1e-9;
 
-/// What a step may have changed and must give back when it fails. Its buffers are reused.
-pub(crate) struct Backup<M: Model> {
-    x: M::States<f64>,
-    discrete: Option<(M::Discrete<f64>, M::Memory)>,
-    changed: bool,
-}
-
-impl<M: Model> Backup<M> {
-    pub(crate) fn new() -> Self {
-        Self { x: Variables::start(), discrete: None, changed: false }
-    }
-}
-
 impl<M: Model> Instance<M> {
     /// Makes the room that steps need.
     pub(crate) fn prepare_steps(&mut self) {
-        self.backup.discrete = self.memory.as_ref().map(|memory| (self.d.clone(), memory.clone()));
+        self.backup = self.memory.as_ref().map_or_else(Backup::default, |memory| Backup::of(&self.x, &self.d, memory));
     }
 
     /// Steps from `current` to `current + step`. On a refusal nothing has changed.
@@ -45,20 +34,11 @@ impl<M: Model> Instance<M> {
             self.check_inputs()?;
         }
         let (t, next_event, disturbed) = (self.t, self.next_event, self.disturbed);
-        self.backup.x.clone_from(&self.x);
-        self.backup.changed = false;
+        self.backup.begin(&self.x);
         self.t = current;
         let done = self.run_to(current + step);
         if done.is_err() {
-            self.x.clone_from(&self.backup.x);
-            if self.backup.changed
-                && let Some((d, memory)) = &self.backup.discrete
-            {
-                self.d.clone_from(d);
-                if let Some(current) = &mut self.memory {
-                    current.clone_from(memory);
-                }
-            }
+            self.backup.restore(&mut self.x, &mut self.d, self.memory.as_mut());
             (self.t, self.next_event, self.disturbed) = (t, next_event, disturbed);
             self.moved();
             self.flow.restart();
@@ -74,9 +54,9 @@ impl<M: Model> Instance<M> {
             self.disturbed = false;
         }
         while self.t < end {
-            let due = self.next_event.filter(|due| *due <= end);
-            let crossed = self.advance(due.unwrap_or(end))?;
-            if crossed || due.is_some_and(|due| due <= self.t) {
+            let due = self.next_event.filter(|due| is_due(*due, end));
+            let crossed = self.advance(due.map_or(end, |due| due.min(end)))?;
+            if crossed || due.is_some_and(|due| is_due(due, self.t)) {
                 self.step_event()?;
                 events += 1;
                 if events > MOST_EVENTS {
@@ -87,14 +67,29 @@ impl<M: Model> Instance<M> {
         Ok(())
     }
 
+    /// Integrates to `target` or to the first state event before it. Returns whether an event was found.
+    fn advance(&mut self, target: f64) -> Result<bool, Refusal> {
+        self.moved();
+        if Layout::<M>::STATE_COUNT == 0 {
+            self.t = target;
+            return Ok(false);
+        }
+        let Some(memory) = &self.memory else {
+            return Err(Refusal::error(NOT_INITIALIZED));
+        };
+        let field = Field { p: &self.p, u: &self.u, d: &self.d, memory };
+        self.flow.advance(&field, &mut self.x, &mut self.t, target, self.tolerance).map_err(|Stuck(t)| {
+            Refusal::discard(format!(
+                "the equations have no finite solution beyond {t} s: look for an input or a start value that is out \
+                 of any physical range"
+            ))
+        })
+    }
+
     /// An event within a step: keeps what it changes, for the case that the step fails later.
     fn step_event(&mut self) -> Result<(), Refusal> {
-        if !self.backup.changed
-            && let (Some(memory), Some((d, kept))) = (&self.memory, &mut self.backup.discrete)
-        {
-            d.clone_from(&self.d);
-            kept.clone_from(memory);
-            self.backup.changed = true;
+        if let Some(memory) = &self.memory {
+            self.backup.keep(&self.d, memory);
         }
         self.event(false)?;
         Ok(())

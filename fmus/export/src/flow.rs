@@ -1,6 +1,5 @@
 //! The continuous part of co-simulation: integrates from event to event and finds where state events lie.
 
-use crate::instance::{Instance, Refusal};
 use crate::integrator::DormandPrince;
 use crate::layout::{Block, Layout};
 use crate::model::{Indicators, Model, Point};
@@ -75,92 +74,91 @@ impl<M: Model> Flow<M> {
 }
 
 /// The equations with all but time and states held.
-struct Field<'a, M: Model> {
-    p: &'a M::Parameters<f64>,
-    u: &'a M::Inputs<f64>,
-    d: &'a M::Discrete<f64>,
-    memory: &'a M::Memory,
-    /// x as the model sees it.
-    x: &'a mut M::States<f64>,
+pub struct Field<'a, M: Model> {
+    /// p.
+    pub p: &'a M::Parameters<f64>,
+    /// u.
+    pub u: &'a M::Inputs<f64>,
+    /// d.
+    pub d: &'a M::Discrete<f64>,
+    /// The memory.
+    pub memory: &'a M::Memory,
 }
 
 impl<M: Model> Field<'_, M> {
     #[inline]
-    fn at(&mut self, t: f64, x: &[f64]) -> Point<'_, M, f64> {
-        self.x.read_reals(x);
-        Point { t, p: self.p, u: self.u, x: self.x, d: self.d, memory: self.memory }
+    fn at<'a>(&'a self, t: f64, x: &[f64], seen: &'a mut M::States<f64>) -> Point<'a, M, f64> {
+        seen.read_reals(x);
+        Point { t, p: self.p, u: self.u, x: seen, d: self.d, memory: self.memory }
     }
 
     #[inline]
-    fn derivatives(&mut self, t: f64, x: &[f64], dx: &mut [f64]) {
-        M::derivatives(&self.at(t, x)).write_reals(dx);
+    fn derivatives(&self, t: f64, x: &[f64], dx: &mut [f64], seen: &mut M::States<f64>) {
+        M::derivatives(&self.at(t, x, seen)).write_reals(dx);
     }
 
     #[inline]
-    fn indicators(&mut self, t: f64, x: &[f64]) -> M::Indicators {
-        M::indicators(&self.at(t, x))
+    fn indicators(&self, t: f64, x: &[f64], seen: &mut M::States<f64>) -> M::Indicators {
+        M::indicators(&self.at(t, x, seen))
     }
 }
 
-impl<M: Model> Instance<M> {
-    /// Integrates to `target` or to the first state event before it. Returns whether an event was found.
-    pub(crate) fn advance(&mut self, target: f64) -> Result<bool, Refusal> {
-        if Layout::<M>::STATE_COUNT == 0 {
-            self.t = target;
-            self.moved();
-            return Ok(false);
-        }
-        self.x.write_reals(&mut self.flow.x);
-        let found = self.integrate(target);
-        self.x.read_reals(&self.flow.x);
-        self.moved();
+/// The equations have no solution beyond this time (s).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stuck(pub f64);
+
+impl<M: Model> Flow<M> {
+    /// Integrates `x` from `t` to `target` or to the first state event before it. Returns whether an event was found.
+    pub fn advance(
+        &mut self,
+        field: &Field<'_, M>,
+        states: &mut M::States<f64>,
+        t: &mut f64,
+        target: f64,
+        tolerance: f64,
+    ) -> Result<bool, Stuck> {
+        states.write_reals(&mut self.x);
+        let found = self.integrate(field, t, target, tolerance);
+        states.read_reals(&self.x);
         found
     }
 
-    fn integrate(&mut self, target: f64) -> Result<bool, Refusal> {
-        let Some(memory) = &self.memory else {
-            return Err(Refusal::error("the instance has not been initialized"));
-        };
-        let Flow { rk, x, nominal, scratch, h: wanted, primed, z, .. } = &mut self.flow;
-        let mut field: Field<'_, M> = Field { p: &self.p, u: &self.u, d: &self.d, memory, x: scratch };
-        let tolerance = self.tolerance;
-        while self.t < target {
-            let t = self.t;
+    fn integrate(&mut self, field: &Field<'_, M>, now: &mut f64, target: f64, tolerance: f64) -> Result<bool, Stuck> {
+        let Self { rk, x, nominal, scratch: seen, h: wanted, primed, z, .. } = self;
+        while *now < target {
+            let t = *now;
             if !*primed {
-                field.derivatives(t, x, rk.first_stage());
+                field.derivatives(t, x, rk.first_stage(), seen);
                 *primed = true;
             }
             let before = match z.take() {
                 Some(known) => known,
-                None => field.indicators(t, x),
+                None => field.indicators(t, x, seen),
             };
             let rest = target - t;
             let h = wanted.min(rest);
-            let error = rk.step(|t, x, dx| field.derivatives(t, x, dx), t, x, h, tolerance, nominal);
+            let error = rk.step(|t, x, dx| field.derivatives(t, x, dx, seen), t, x, h, tolerance, nominal);
             // An error that is not a number says that the step left where the equations hold.
             if error.is_nan() || error > 1.0 {
                 *z = Some(before);
                 *wanted = h * if error.is_finite() { (0.9 * error.powf(-0.2)).max(0.2) } else { 0.1 };
                 if *wanted < SHORTEST * t.abs().max(1e-3) {
-                    return Err(Refusal::discard(format!(
-                        "the equations have no finite solution beyond {t} s: look for an input or a start value that \
-                         is out of any physical range"
-                    )));
+                    return Err(Stuck(t));
                 }
                 continue;
             }
-            let after = field.indicators(t + h, &rk.end);
+            let after = field.indicators(t + h, &rk.end, seen);
             if crossing(&before, &after) {
-                let event = locate(&mut field, rk, (t, x), (before, after), h, (tolerance, nominal));
+                let event = locate(field, seen, rk, (t, x), (before, after), h, (tolerance, nominal));
                 x.copy_from_slice(&rk.end);
-                self.t = if event >= rest { target } else { t + event };
+                *now = if event >= rest { target } else { t + event };
                 *primed = false;
                 return Ok(true);
             }
             // There and back within one step: smaller steps will see it.
             if M::Indicators::COUNT > 0
                 && h > TWICE * t.abs().max(1.0)
-                && crossing(&before, &field.indicators(t + 0.5 * h, rk.middle(x, h)))
+                && crossing(&before, &field.indicators(t + 0.5 * h, rk.middle(x, h), seen))
             {
                 *z = Some(before);
                 *wanted = 0.5 * h;
@@ -169,7 +167,7 @@ impl<M: Model> Instance<M> {
             *z = Some(after);
             x.copy_from_slice(&rk.end);
             rk.accept();
-            self.t = if h >= rest { target } else { t + h };
+            *now = if h >= rest { target } else { t + h };
             let grown = if error > 1e-4 { h * (0.9 * error.powf(-0.2)).clamp(0.2, 5.0) } else { h * 5.0 };
             // A step cut short by the communication point says nothing against a longer one.
             *wanted = if h < *wanted { wanted.max(grown) } else { grown };
@@ -181,16 +179,17 @@ impl<M: Model> Instance<M> {
 /// The length of the step from (t, x) that ends just behind the first event in (0, h]; leaves the state there in
 /// `rk.end`. Every trial is a true step, so that the state at an event is as accurate as any other.
 fn locate<M: Model>(
-    field: &mut Field<'_, M>,
+    field: &Field<'_, M>,
+    seen: &mut M::States<f64>,
     rk: &mut DormandPrince,
     (t, x): (f64, &[f64]),
     (before, after): (M::Indicators, M::Indicators),
     h: f64,
     (tolerance, nominal): (f64, &[f64]),
 ) -> f64 {
-    let step = |rk: &mut DormandPrince, field: &mut Field<'_, M>, h: f64| {
-        rk.step(|t, x, dx| field.derivatives(t, x, dx), t, x, h, tolerance, nominal);
-        field.indicators(t + h, &rk.end)
+    let mut step = |rk: &mut DormandPrince, h: f64| {
+        rk.step(|t, x, dx| field.derivatives(t, x, dx, seen), t, x, h, tolerance, nominal);
+        field.indicators(t + h, &rk.end, seen)
     };
     let (mut ahead, mut behind) = (0.0, h);
     let (mut near, mut beyond) = (before.clone(), after);
@@ -201,14 +200,14 @@ fn locate<M: Model>(
         // Every third trial halves, so that the bracket shrinks even where the secant creeps from one side.
         let part = if round % 3 == 2 { 0.5 } else { secant(&near, &beyond) };
         let middle = ahead + (behind - ahead) * part;
-        let here = step(rk, field, middle);
+        let here = step(rk, middle);
         if crossing(&before, &here) {
             (behind, beyond) = (middle, here);
         } else {
             (ahead, near) = (middle, here);
         }
     }
-    step(rk, field, behind);
+    step(rk, behind);
     behind
 }
 

@@ -3,7 +3,7 @@
 use std::ffi::CString;
 use std::path::PathBuf;
 
-use crate::co_simulation::Backup;
+use crate::backup::Backup;
 use crate::declaration::Declaration;
 use crate::flow::Flow;
 use crate::layout::{Block, Layout};
@@ -14,6 +14,14 @@ use crate::variables::{Value, Variables};
 
 /// The relative tolerance of co-simulation where the importer gives none.
 pub const TOLERANCE: f64 = 1e-8;
+
+/// Said where the life cycle should have made it impossible.
+pub(crate) const NOT_INITIALIZED: &str = "the instance has not been initialized";
+
+/// Whether an event is due at a time: both may be sums that mean the same and differ by rounding.
+pub(crate) fn is_due(event: f64, t: f64) -> bool {
+    event <= t + 4.0 * f64::EPSILON * t.abs()
+}
 
 /// Why a call was refused.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -101,7 +109,7 @@ impl<M: Model> Instance<M> {
             outputs_stale: true,
             derivatives_stale: true,
             flow: Flow::new(),
-            backup: Backup::new(),
+            backup: Backup::default(),
             returned: Vec::new(),
         }
     }
@@ -205,11 +213,13 @@ impl<M: Model> Instance<M> {
     /// Lets the model update what is discrete. Returns whether a state jumped.
     pub(crate) fn event(&mut self, initial: bool) -> Result<bool, Refusal> {
         let Some(memory) = &mut self.memory else {
-            return Err(Refusal::error("the instance has not been initialized"));
+            return Err(Refusal::error(NOT_INITIALIZED));
         };
         self.flow.remember_states(&self.x);
         let (p, u, x, d) = (&self.p, &self.u, &mut self.x, &mut self.d);
-        self.next_event = M::event(&mut Event { t: self.t, initial, p, u, x, d, memory });
+        // An event that is due counts as being at its own time.
+        let t = self.next_event.filter(|due| *due > self.t && is_due(*due, self.t)).unwrap_or(self.t);
+        self.next_event = M::event(&mut Event { t, initial, p, u, x, d, memory });
         if !initial && self.log.wants(Category::Events) {
             let next = self.next_event.map_or_else(|| "none".to_string(), |next| format!("at {next} s"));
             self.log.write(&self.name, Category::Events, &format!("event at {} s, next time event: {next}", self.t));
@@ -228,7 +238,7 @@ impl<M: Model> Instance<M> {
     /// The point in time the instance is at.
     pub(crate) fn point(&self) -> Result<Point<'_, M, f64>, Refusal> {
         let Some(memory) = &self.memory else {
-            return Err(Refusal::error("the instance has not been initialized"));
+            return Err(Refusal::error(NOT_INITIALIZED));
         };
         Ok(Point { t: self.t, p: &self.p, u: &self.u, x: &self.x, d: &self.d, memory })
     }

@@ -5,6 +5,7 @@
 //! from which the packager takes the model descriptions.
 
 mod access;
+mod backup;
 mod co_simulation;
 mod declaration;
 mod describe;
