@@ -1,5 +1,6 @@
 //! What can go wrong: typed errors that name the FMU, the variable, the file and the place, and say what to do.
 
+use std::collections::HashSet;
 use std::fmt;
 use std::path::PathBuf;
 
@@ -320,8 +321,10 @@ impl Error {
         }
     }
 
-    /// `Ok` without problems, the problem itself when it is one, else all of them.
+    /// `Ok` without problems, the problem itself when it is one, else all of them, each once.
     pub(crate) fn all(mut errors: Vec<Error>) -> Result<()> {
+        let mut seen = HashSet::new();
+        errors.retain(|error| seen.insert(error.to_string()));
         match errors.len() {
             0 => Ok(()),
             1 => Err(errors.remove(0)),

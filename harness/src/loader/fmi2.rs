@@ -99,14 +99,22 @@ impl Instance {
     }
 
     /// Turns a status into a result and remembers when the instance became unusable.
+    #[inline]
     fn answer(&mut self, call: &'static str, status: c_int) -> Result<(), Failure> {
         match status {
-            fmi2::OK | fmi2::WARNING => return Ok(()),
+            fmi2::OK | fmi2::WARNING => Ok(()),
+            _ => Err(self.fail(call, status)),
+        }
+    }
+
+    #[cold]
+    fn fail(&mut self, call: &'static str, status: c_int) -> Failure {
+        match status {
             fmi2::DISCARD => {}
             fmi2::FATAL => self.phase = Phase::Broken,
             _ => self.phase = Phase::Failed,
         }
-        Err(self.environment.failure(call, status))
+        self.environment.failure(call, status)
     }
 
     /// Calls a function that takes nothing else.
@@ -117,12 +125,6 @@ impl Instance {
         self.answer(name, status)
     }
 
-    fn may_access(&self, name: &'static str) -> Result<(), Failure> {
-        const ACCESSIBLE: &[Phase] =
-            &[Phase::Stepping, Phase::Initialization, Phase::Instantiated, Phase::StepFailed, Phase::Terminated];
-        self.phase.expect(name, ACCESSIBLE)
-    }
-
     fn get<T>(
         &mut self,
         name: &'static str,
@@ -130,8 +132,8 @@ impl Instance {
         references: &[u32],
         values: &mut [T],
     ) -> Result<(), Failure> {
-        self.may_access(name)?;
-        check_lengths(name, references, values.len(), true)?;
+        self.phase.expect_accessible(name)?;
+        check_lengths(name, references.len(), values.len(), true)?;
         let get = present(name, get)?;
         // SAFETY: the instance is live; both pointers are valid for as many items as the count says.
         let status = unsafe { get(self.component, references.as_ptr(), references.len(), values.as_mut_ptr()) };
@@ -145,8 +147,8 @@ impl Instance {
         references: &[u32],
         values: &[T],
     ) -> Result<(), Failure> {
-        self.may_access(name)?;
-        check_lengths(name, references, values.len(), true)?;
+        self.phase.expect_accessible(name)?;
+        check_lengths(name, references.len(), values.len(), true)?;
         let set = present(name, set)?;
         // SAFETY: as in `get`; the FMU only reads.
         let status = unsafe { set(self.component, references.as_ptr(), references.len(), values.as_ptr()) };

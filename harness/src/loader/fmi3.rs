@@ -106,14 +106,22 @@ impl Instance {
     }
 
     /// Turns a status into a result and remembers when the instance became unusable.
+    #[inline]
     fn answer(&mut self, call: &'static str, status: c_int) -> Result<(), Failure> {
         match status {
-            fmi3::OK | fmi3::WARNING => return Ok(()),
+            fmi3::OK | fmi3::WARNING => Ok(()),
+            _ => Err(self.fail(call, status)),
+        }
+    }
+
+    #[cold]
+    fn fail(&mut self, call: &'static str, status: c_int) -> Failure {
+        match status {
             fmi3::DISCARD => {}
             fmi3::FATAL => self.phase = Phase::Broken,
             _ => self.phase = Phase::Failed,
         }
-        Err(self.environment.failure(call, status))
+        self.environment.failure(call, status)
     }
 
     /// Calls a function that takes nothing else.
@@ -124,18 +132,6 @@ impl Instance {
         self.answer(name, status)
     }
 
-    fn may_access(&self, name: &'static str) -> Result<(), Failure> {
-        const ACCESSIBLE: &[Phase] = &[
-            Phase::Instantiated,
-            Phase::Configuration,
-            Phase::Initialization,
-            Phase::Stepping,
-            Phase::StepFailed,
-            Phase::Terminated,
-        ];
-        self.phase.expect(name, ACCESSIBLE)
-    }
-
     fn get<T>(
         &mut self,
         name: &'static str,
@@ -143,8 +139,8 @@ impl Instance {
         references: &[u32],
         values: &mut [T],
     ) -> Result<(), Failure> {
-        self.may_access(name)?;
-        check_lengths(name, references, values.len(), false)?;
+        self.phase.expect_accessible(name)?;
+        check_lengths(name, references.len(), values.len(), false)?;
         let get = present(name, get)?;
         // SAFETY: the instance is live; both pointers are valid for as many items as their counts say, and there is
         // at least one value for each reference even if the FMU does not look at the second count.
@@ -160,8 +156,8 @@ impl Instance {
         references: &[u32],
         values: &[T],
     ) -> Result<(), Failure> {
-        self.may_access(name)?;
-        check_lengths(name, references, values.len(), false)?;
+        self.phase.expect_accessible(name)?;
+        check_lengths(name, references.len(), values.len(), false)?;
         let set = present(name, set)?;
         // SAFETY: as in `get`; the FMU only reads.
         let status =

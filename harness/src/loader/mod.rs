@@ -92,10 +92,13 @@ enum Phase {
 
 impl Phase {
     /// Refuses a call that the standard does not allow in this phase.
+    #[inline]
     fn expect(self, call: &'static str, allowed: &[Phase]) -> Result<(), Failure> {
-        if allowed.contains(&self) {
-            return Ok(());
-        }
+        if allowed.contains(&self) { Ok(()) } else { Err(self.refuse(call)) }
+    }
+
+    #[cold]
+    fn refuse(self, call: &'static str) -> Failure {
         let now = match self {
             Self::Instantiated => "only instantiated",
             Self::Configuration => "in configuration mode",
@@ -106,17 +109,31 @@ impl Phase {
             Self::Failed => "unusable since a call returned Error; it can only be reset",
             Self::Broken => "unusable since a call returned Fatal",
         };
-        Err(Failure::new(call, Status::NotCalled, format!("out of order: the instance is {now}")))
+        Failure::new(call, Status::NotCalled, format!("out of order: the instance is {now}"))
+    }
+
+    /// Refuses to get or set values where the standard never allows it.
+    #[inline]
+    fn expect_accessible(self, call: &'static str) -> Result<(), Failure> {
+        match self {
+            Self::Failed | Self::Broken => Err(self.refuse(call)),
+            _ => Ok(()),
+        }
     }
 }
 
 /// Refuses slices of which the C function would read or write more than there is.
-fn check_lengths(call: &'static str, references: &[u32], values: usize, scalars_only: bool) -> Result<(), Failure> {
-    if references.len() == values || !scalars_only && values > references.len() {
+#[inline]
+fn check_lengths(call: &'static str, references: usize, values: usize, scalars_only: bool) -> Result<(), Failure> {
+    if references == values || !scalars_only && values > references {
         return Ok(());
     }
-    let text = format!("{} value references but {values} values", references.len());
-    Err(Failure::new(call, Status::NotCalled, text))
+    Err(wrong_lengths(call, references, values))
+}
+
+#[cold]
+fn wrong_lengths(call: &'static str, references: usize, values: usize) -> Failure {
+    Failure::new(call, Status::NotCalled, format!("{references} value references but {values} values"))
 }
 
 /// A function that may be missing in a sloppy library.
