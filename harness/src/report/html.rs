@@ -9,19 +9,19 @@ use plotly::layout::{
 };
 use plotly::{Configuration, Plot, Scatter};
 
-use super::{Dash, Figure, Panel, Report, Table, palette, thin};
+use super::{Dash, Figure, Panel, Report, Table, palette};
 
 /// How many panels a figure can have.
 pub const PANELS: usize = 8;
 
 /// How many points of a curve are drawn; more cannot be told apart on a screen.
-const POINTS: usize = 4000;
+const POINTS: usize = 2000;
 
 /// Heights (px): of a panel, of the gap between two of them, of the time axis, of the plot's buttons, of a legend's row.
 const PANEL_HEIGHT: u32 = 180;
 const GAP: f64 = 22.0;
 const AXIS_HEIGHT: u32 = 56;
-const BUTTONS_HEIGHT: u32 = 34;
+const BUTTONS_HEIGHT: u32 = 46;
 const ROW_HEIGHT: u32 = 21;
 
 /// The width of a page (px) and of the room for a name in the legend: what is left of it, and what a letter takes.
@@ -179,7 +179,7 @@ fn plot(figure: &Figure) -> Plot {
 
 fn add_curves<'a>(plot: &mut Plot, panel: &'a Panel, place: usize, named: &mut Vec<&'a str>) {
     for curve in &panel.curves {
-        let (times, values) = thin::thin(&curve.times, &curve.values, POINTS);
+        let (times, values) = curve.points(POINTS);
         let dash = match curve.style.dash {
             Dash::Solid => DashType::Solid,
             Dash::Dashed => DashType::Dash,

@@ -103,3 +103,10 @@ pub enum Dash {
     /// Short ones.
     Dotted,
 }
+
+impl Curve {
+    /// What is drawn of it, with about this many points at most.
+    fn points(&self, limit: usize) -> (Vec<f64>, Vec<f64>) {
+        if self.held { thin::changes(&self.times, &self.values) } else { thin::thin(&self.times, &self.values, limit) }
+    }
+}

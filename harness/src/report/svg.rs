@@ -5,13 +5,13 @@ use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::{Curve, Dash, Figure, Panel, palette, thin};
+use super::{Curve, Dash, Figure, Panel, palette};
 
 /// The picture is drawn this much larger than it is shown: the backend knows whole pixels only.
 const SCALE: u32 = 4;
 
 /// How many points of a curve are drawn.
-const POINTS: usize = 1200;
+const POINTS: usize = 900;
 
 const INK: RGBColor = RGBColor(28, 39, 51);
 const SOFT: RGBColor = RGBColor(91, 104, 117);
@@ -74,7 +74,11 @@ fn draw_panel(
         chart.draw_series([Rectangle::new([(*start, low), (*end, high)], SPAN.filled())])?;
         if std::ptr::eq(panel, &figure.panels[0]) {
             let style = text(12, SOFT).pos(Pos::new(HPos::Left, VPos::Top));
-            chart.draw_series([Text::new(words.clone(), (*start + (to - from) * 0.006, high), style)])?;
+            chart.draw_series([Text::new(
+                words.clone(),
+                (*start + (to - from) * 0.006, high - (high - low) * 0.02),
+                style,
+            )])?;
         }
     }
     chart
@@ -82,7 +86,7 @@ fn draw_panel(
         .light_line_style(TRANSPARENT)
         .bold_line_style(GRID.stroke_width(SCALE))
         .axis_style(SOFT.stroke_width(SCALE))
-        .y_labels(5)
+        .y_labels(if area.dim_in_pixel().1 < SCALE * 130 { 3 } else { 6 })
         .x_labels(10)
         .x_label_formatter(&|t| format!("{t:.0}"))
         .y_label_formatter(&|v| label(*v))
@@ -119,13 +123,13 @@ fn draw_legend(figure: &Figure, area: &Area) -> Result<(), Box<dyn std::error::E
         }
         let style = text(13, INK).pos(Pos::new(HPos::Left, VPos::Center));
         area.draw_text(&curve.name, &style, (x + px(30), px(46)))?;
-        x += px(54) + px(8) * curve.name.chars().count() as i32;
+        x += px(52) + px(7) * curve.name.chars().count() as i32;
     }
     Ok(())
 }
 
 fn points(curve: &Curve) -> Vec<(f64, f64)> {
-    let (times, values) = thin::thin(&curve.times, &curve.values, POINTS);
+    let (times, values) = curve.points(POINTS);
     let mut points: Vec<(f64, f64)> = Vec::with_capacity(times.len() * 2);
     for (time, value) in times.into_iter().zip(values).filter(|(_, v)| v.is_finite()) {
         if curve.held

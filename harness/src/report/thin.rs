@@ -1,5 +1,12 @@
 //! Fewer points for long curves, without losing a peak.
 
+/// The points of a curve whose values hold: the first, the last and those where the value changes. None is lost.
+pub fn changes(times: &[f64], values: &[f64]) -> (Vec<f64>, Vec<f64>) {
+    let count = times.len().min(values.len());
+    let keep = |i: &usize| *i == 0 || *i + 1 == count || values[*i].to_bits() != values[*i - 1].to_bits();
+    (0..count).filter(keep).map(|i| (short(times[i]), short(values[i]))).unzip()
+}
+
 /// The points of a curve, at most about `limit` of them: from each stretch its lowest and its highest, in their order.
 /// The first and the last point stay. Values that are not finite are gaps and stay too, as far as they are alone.
 pub fn thin(times: &[f64], values: &[f64], limit: usize) -> (Vec<f64>, Vec<f64>) {
@@ -47,6 +54,13 @@ mod tests {
         assert_eq!((t[0], *t.last().unwrap()), (0.0, 9999.0));
         assert!(v.contains(&5.0) && v.contains(&-5.0));
         assert!(t.is_sorted());
+    }
+
+    #[test]
+    fn keeps_every_change_of_what_holds() {
+        let (t, v) = changes(&[0.0, 1.0, 2.0, 3.0, 4.0], &[1.0, 1.0, 2.0, 2.0, 2.0]);
+        assert_eq!((t, v), (vec![0.0, 2.0, 4.0], vec![1.0, 2.0, 2.0]));
+        assert_eq!(changes(&[], &[]), (vec![], vec![]));
     }
 
     #[test]

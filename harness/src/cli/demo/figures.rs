@@ -23,7 +23,7 @@ pub fn picture(runs: &[Run], results: &Results) -> Figure {
         let command = runs.first().map(|run| Curve {
             name: "operator’s command".to_owned(),
             held: true,
-            style: Style { color: 0, width: 1.2, dash: Dash::Solid },
+            style: Style { color: 6, width: 1.4, dash: Dash::Solid },
             ..curve(run, &format!("{}_command.command", axis.name), &shown)
         });
         panels.push(Panel { label: shown.label(axis.name), height: 1, curves: command.into_iter().collect() });
@@ -69,10 +69,13 @@ fn axes(runs: &[Run]) -> Figure {
         for run in runs {
             let hidden = run.kind != EXAMPLE;
             let drive = curve(run, &variable("drive.velocity"), &shown);
-            let thin = Style { width: 1.0, dash: Dash::Dashed, ..drive.style };
-            let shaped = curve(run, &variable("shaper.shaped"), &shown);
-            curves.push(Curve { name: format!("{}: shaped", run.kind), held: true, hidden, style: thin, ..shaped });
-            curves.push(Curve { name: format!("{}: drive", run.kind), hidden, ..drive });
+            // Unshaped, the shaped command is the command.
+            if run.kind != KINDS[0] {
+                let style = Style { width: 1.0, dash: Dash::Dashed, ..drive.style };
+                let shaped = curve(run, &variable("shaper.shaped"), &shown);
+                curves.push(Curve { name: format!("{}: shaped", shaped.name), held: true, hidden, style, ..shaped });
+            }
+            curves.push(Curve { name: format!("{}: drive", drive.name), hidden, ..drive });
         }
         panels.push(Panel { label: shown.label(axis.name), height: 1, curves });
     }
@@ -89,13 +92,12 @@ fn crane(runs: &[Run], results: &Results) -> Figure {
     let few = |kind: &str| kind == KINDS[0] || kind == EXAMPLE;
     Figure {
         title: "The crane".to_owned(),
-        caption: "Where the joints are, and the force in the hoist rope.".to_owned(),
+        caption: "Where the joints are.".to_owned(),
         panels: vec![
             panel(runs, "slew.angle", "rad", "slew", 1, few),
             panel(runs, "luff.angle", "rad", "luff", 1, few),
             panel(runs, "hoist.length", "m", "suspension length", 1, few),
             panel(runs, "base.x", "m", "base", 1, few),
-            panel(runs, "tension", "N", "rope force", 1, few),
         ],
         span: rest(runs, results),
     }

@@ -64,7 +64,7 @@ const AXES: [Axis; 4] = [
 const AXIS_VARIABLES: [&str; 4] = ["command.command", "shaper.shaped", "shaper.duration", "drive.velocity"];
 
 /// What is recorded of the crane.
-const CRANE_VARIABLES: [&str; 13] = [
+const CRANE_VARIABLES: [&str; 11] = [
     "base.x",
     "slew.angle",
     "luff.angle",
@@ -72,12 +72,10 @@ const CRANE_VARIABLES: [&str; 13] = [
     "swing.radial",
     "swing.tangential",
     "swing.amplitude",
-    "tension",
     "payload.x",
     "payload.y",
     "payload.z",
     "at_limit",
-    "slack",
 ];
 
 /// A run with one kind of shaper, in both versions.

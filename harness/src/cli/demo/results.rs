@@ -25,7 +25,7 @@ pub struct Row {
     stopped: f64,
     /// The greatest swing after that (rad).
     residual: f64,
-    /// The greatest swing at all (rad).
+    /// The greatest angle of the rope from the vertical (rad).
     peak: f64,
     /// How much later than the command its last impulse comes, at most (s).
     delay: f64,
@@ -47,14 +47,14 @@ pub fn results(runs: &[Run]) -> Results {
 fn row(run: &Run) -> Row {
     let recording = &run.recording;
     let stopped = stopped(recording);
-    let swing = column(recording, "crane.swing.amplitude");
-    let after = recording.times.iter().zip(swing).filter(|(t, _)| **t >= stopped).map(|(_, s)| *s);
+    let amplitude = column(recording, "crane.swing.amplitude");
+    let after = recording.times.iter().zip(amplitude).filter(|(t, _)| **t >= stopped).map(|(_, s)| *s);
     let longest = |axis: &super::Axis| greatest(column(recording, &format!("{}_shaper.duration", axis.name)));
     Row {
         kind: run.kind,
         stopped,
         residual: after.fold(0.0, f64::max),
-        peak: greatest(swing),
+        peak: peak(recording),
         delay: AXES.iter().map(longest).fold(0.0, f64::max),
         reduction: 0.0,
         fmi3_factor: run.fmi3.real_time_factor(),
@@ -71,6 +71,13 @@ fn stopped(recording: &Recording) -> f64 {
     last.and_then(|at| recording.times.get(at + 1).or(recording.times.last())).copied().unwrap_or_default()
 }
 
+/// The greatest angle from the vertical. With n from the pivot to the payload, swing.radial = asin n_x and
+/// swing.tangential = atan2(n_y, −n_z), so that −n_z = cos(radial) cos(tangential).
+fn peak(recording: &Recording) -> f64 {
+    let (radial, tangential) = (column(recording, "crane.swing.radial"), column(recording, "crane.swing.tangential"));
+    radial.iter().zip(tangential).map(|(r, t)| (r.cos() * t.cos()).acos()).fold(0.0, f64::max)
+}
+
 /// A recorded column. Every run records what is asked for here, so an absent one is an empty one.
 pub fn column<'a>(recording: &'a Recording, name: &str) -> &'a [f64] {
     recording.column(name).unwrap_or_default()
@@ -80,15 +87,7 @@ fn greatest(values: &[f64]) -> f64 {
     values.iter().copied().fold(0.0, f64::max)
 }
 
-const HEADER: [&str; 7] = [
-    "Shaper",
-    "Residual swing",
-    "Reduction",
-    "Peak swing",
-    "Delay added",
-    "Real-time factor, FMI 3.0",
-    "Real-time factor, FMI 2.0",
-];
+const HEADER: [&str; 7] = ["Shaper", "Residual swing", "Reduction", "Peak swing", "Delay added", "FMI 3.0", "FMI 2.0"];
 
 impl Results {
     /// For a terminal.
@@ -116,8 +115,11 @@ impl Results {
             format!("FMI 2.0 and FMI 3.0 DIFFER in {}.", differing.join(", "))
         };
         vec![
-            "Residual swing: the greatest amplitude after the last drive has stopped. Delay: the shaper's longest \
-             duration during the run. Real-time factor: with recording."
+            "Residual swing: the greatest amplitude after the last drive has stopped. Peak swing: the greatest angle \
+             from the vertical."
+                .to_owned(),
+            "Delay added: the shaper's longest duration during the run. FMI 3.0, FMI 2.0: how many times faster than \
+             real time, with recording."
                 .to_owned(),
             versions,
         ]
