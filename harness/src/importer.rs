@@ -13,6 +13,9 @@ use crate::error::{Error, Result};
 use crate::loader::{Binary, Instantiation, Once};
 use crate::slave::{Model, Slave};
 
+/// The standard's log categories for calls that did not go well.
+const PROBLEMS: [&str; 4] = ["logStatusWarning", "logStatusDiscard", "logStatusError", "logStatusFatal"];
+
 /// An FMU that is open. Its library is loaded when the first instance is made; it, and the folder that the FMU was
 /// unpacked to, stay as long as the FMU or an instance of it lives.
 pub struct Fmu {
@@ -155,9 +158,19 @@ impl Model for Fmu {
                 empty.insert(Binary::load(self.description.fmi_version, &file, self.unpacked.clone())?)
             }
         };
+        let categories = self.description.log_categories.iter().map(|category| category.name.as_str());
+        let problems: Vec<&str> = categories.filter(|name| PROBLEMS.contains(name)).collect();
         let resources = self.folder().join("resources");
         let token = &self.description.instantiation_token;
-        binary.instantiate(Instantiation { fmu: &self.path, name, token, resources: &resources, logging, once })
+        binary.instantiate(Instantiation {
+            fmu: &self.path,
+            name,
+            token,
+            resources: &resources,
+            logging,
+            problems: &problems,
+            once,
+        })
     }
 }
 

@@ -91,14 +91,30 @@ impl Instance {
                 messages: environment.take_messages(),
             });
         }
-        Ok(Self {
+        let instance = Self {
             instance,
             phase: Phase::Instantiated,
             scratch: Scratch::default(),
             environment,
             binary,
             _once: with.once,
-        })
+        };
+        if !with.logging {
+            instance.log_problems(with.problems)?;
+        }
+        Ok(instance)
+    }
+
+    /// Asks for messages on problems alone. An FMU that cannot choose stays silent, which is no reason not to run it.
+    fn log_problems(&self, categories: &[&str]) -> Result<()> {
+        let categories = categories.iter().map(|name| c_string(name)).collect::<Result<Vec<_>>>()?;
+        let pointers: Vec<_> = categories.iter().map(|name| name.as_ptr()).collect();
+        if let (Some(set), false) = (self.f().fmi3SetDebugLogging, pointers.is_empty()) {
+            // SAFETY: the instance is live; the strings end with a NUL, are as many as the count says, and outlive the
+            // call.
+            unsafe { set(self.instance, 1, pointers.len(), pointers.as_ptr()) };
+        }
+        Ok(())
     }
 
     fn f(&self) -> &Functions {

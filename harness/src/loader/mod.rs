@@ -42,6 +42,8 @@ pub(crate) struct Instantiation<'a> {
     pub resources: &'a Path,
     /// Whether debug messages are wanted.
     pub logging: bool,
+    /// The log categories of problems that the FMU declares; they are wanted without debug messages too.
+    pub problems: &'a [&'a str],
     /// Held by the instance when the FMU allows only one.
     pub once: Option<Once>,
 }

@@ -12,7 +12,7 @@ enum { RATE, X, DOUBLED, X_START, COUNTER, MOVING, LABEL, FACTORS, SCALED };
 
 typedef struct {
     double rate, x, x_start, factors[3];
-    int counter, wrong_token;
+    int counter, wrong_token, log_discard;
     char label[64], name[64];
     void *environment;
     void *logger;
@@ -38,6 +38,12 @@ static int model_set(Model *m, unsigned vr, double value) {
     else if (vr == X_START && value >= 0) m->x_start = m->x = value;
     else return 3;
     return 0;
+}
+
+static void model_log(Model *m, int on, size_t n, const char *const *categories) {
+    m->log_discard = on && n == 0;
+    for (size_t i = 0; i < n; i++)
+        if (on && strcmp(categories[i], "logStatusDiscard") == 0) m->log_discard = 1;
 }
 
 /* 0 OK, 2 Discard (the input is no number), 3 Error, 5 the model has come to its end */

@@ -28,6 +28,10 @@ void *fmi2Instantiate(const char *name, int type, const char *guid, const char *
     return m;
 }
 void fmi2FreeInstance(void *c) { free(c); }
+int fmi2SetDebugLogging(void *c, int on, size_t n, const char *const *categories) {
+    model_log(c, on, n, categories);
+    return 0;
+}
 int fmi2SetupExperiment(void *c, int d, double t, double s, int e, double p) {
     (void)c, (void)d, (void)t, (void)s, (void)e, (void)p;
     return 0;
@@ -83,7 +87,8 @@ int fmi2DoStep(void *c, double t, double h, int no_set) {
     int status = model_step(m, h);
     (void)t, (void)no_set;
     stopped = status == 5;
-    if (status == 2) ((Logger)m->logger)(m->environment, m->name, 2, "logStatusDiscard", "rate is %f", m->rate);
+    if (status == 2 && m->log_discard)
+        ((Logger)m->logger)(m->environment, m->name, 2, "logStatusDiscard", "rate is %f", m->rate);
     return status == 5 ? 2 : status;
 }
 int fmi2GetRealStatus(void *c, int kind, double *v) {

@@ -24,6 +24,10 @@ void *fmi3InstantiateCoSimulation(const char *name, const char *token, const cha
     return m;
 }
 void fmi3FreeInstance(void *c) { free(c); }
+int fmi3SetDebugLogging(void *c, uint8_t on, size_t n, const char *const *categories) {
+    model_log(c, on, n, categories);
+    return 0;
+}
 int fmi3EnterInitializationMode(void *c, uint8_t d, double t, double s, uint8_t e, double p) {
     (void)c, (void)d, (void)t, (void)s, (void)e, (void)p;
     return 0;
@@ -90,6 +94,6 @@ int fmi3DoStep(void *c, double t, double h, uint8_t no_set, uint8_t *event, uint
     *event = *early = 0;
     *terminate = status == 5;
     *last = status == 2 ? t : t + h;
-    if (status == 2) ((Logger)m->logger)(m->environment, 2, "logStatusDiscard", "rate is no number");
+    if (status == 2 && m->log_discard) ((Logger)m->logger)(m->environment, 2, "logStatusDiscard", "rate is no number");
     return status == 5 ? 0 : status;
 }
