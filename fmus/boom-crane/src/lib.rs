@@ -7,8 +7,20 @@ mod variables;
 
 use variables::{Discrete, Inputs, Outputs, Parameters, States};
 
+/// No joint and no base is faster (rad/s, m/s): beyond, inputs are cut, so that a step of any input ends.
+const FASTEST: f64 = 1e3;
+/// No wind accelerates a payload more (m/s²).
+const STRONGEST: f64 = 1e6;
+
 /// The model.
 struct BoomCrane;
+
+/// Whether all inputs are within what is not cut.
+fn is_physical(p: &Parameters<f64>, u: &Inputs<f64>) -> bool {
+    let rates = [u.base.velocity.x, u.base.velocity.y, u.base.yaw_rate, u.slew.rate, u.luff.rate, u.hoist.rate];
+    let wind = [u.wind.x, u.wind.y, u.wind.z];
+    rates.iter().all(|rate| rate.abs() <= FASTEST) && wind.iter().all(|force| force.abs() <= STRONGEST * p.payload.mass)
+}
 
 /// What the equations share at one point in time.
 struct Motion<R: Scalar> {
@@ -30,16 +42,17 @@ fn motion<R: Scalar>(at: &Point<'_, BoomCrane, R>) -> Motion<R> {
         offset: p.boom.offset,
         height: p.boom.height,
     };
+    let cut = |rate: R| rate.clamp(-FASTEST, FASTEST);
     let rates = BoomRates {
-        base: [u.base.velocity.x, u.base.velocity.y],
-        yaw: u.base.yaw_rate,
-        slew: u.slew.rate,
-        luff: R::select(d.luff.stopped, R::zero(), u.luff.rate),
+        base: [cut(u.base.velocity.x), cut(u.base.velocity.y)],
+        yaw: cut(u.base.yaw_rate),
+        slew: cut(u.slew.rate),
+        luff: R::select(d.luff.stopped, R::zero(), cut(u.luff.rate)),
     };
     let frame = boom.swing_frame(&rates);
     let payload =
         Payload { direction: Vector::from(x.cable.direction), velocity: Vector::from(x.payload.velocity_across) };
-    let length_rate = R::select(d.hoist.stopped, R::zero(), u.hoist.rate);
+    let length_rate = R::select(d.hoist.stopped, R::zero(), cut(u.hoist.rate));
     let suspension = Suspension { pivot: boom.tip_velocity(&frame, &rates), length: x.hoist.length, length_rate };
     Motion { boom, rates, frame, payload, suspension }
 }
@@ -92,7 +105,8 @@ impl Model for BoomCrane {
 
     fn derivatives<R: Scalar>(at: &Point<'_, Self, R>) -> States<R> {
         let Motion { rates, payload, suspension, .. } = motion(at);
-        let wind = Vector::new(at.u.wind.x, at.u.wind.y, at.u.wind.z) / at.p.payload.mass;
+        let wind = |force: R| (force / at.p.payload.mass).clamp(-STRONGEST, STRONGEST);
+        let wind = Vector::new(wind(at.u.wind.x), wind(at.u.wind.y), wind(at.u.wind.z));
         let pull = wind - Vector::new(R::zero(), R::zero(), at.p.gravity);
         let payload = payload.rates(&suspension, pull, at.p.swing.damping);
         let mut dx = at.x.clone();
@@ -131,7 +145,7 @@ impl Model for BoomCrane {
     fn event(at: &mut Event<'_, Self>) -> Option<f64> {
         at.d.luff.stopped = luff_limits(at.p).hold(&mut at.x.luff.angle, at.u.luff.rate);
         at.d.hoist.stopped = hoist_limits(at.p).hold(&mut at.x.hoist.length, at.u.hoist.rate);
-        at.d.at_limit = at.d.luff.stopped || at.d.hoist.stopped;
+        at.d.at_limit = at.d.luff.stopped || at.d.hoist.stopped || !is_physical(at.p, at.u);
         None
     }
 }

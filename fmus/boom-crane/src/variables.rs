@@ -49,7 +49,7 @@ pub struct HoistParameters<R: Scalar> {
 
 #[derive(Clone, Variables)]
 pub struct PayloadParameters<R: Scalar> {
-    /// Mass of the payload; it matters to wind and tension only.
+    /// Mass of the payload; it matters to wind only.
     #[variable(unit = "kg", start = 1000.0, min = 1e-6)]
     pub mass: R,
 }
@@ -246,8 +246,8 @@ pub struct PayloadOutputs<R: Scalar> {
 
 #[derive(Clone, Variables)]
 pub struct Discrete {
-    /// Whether luff or hoist stands at a limit.
-    #[variable(output, depends_on = ["luff.angle", "luff.rate", "hoist.length", "hoist.rate"])]
+    /// Whether luff or hoist stands at a limit, or an input is beyond what any crane does and was cut there.
+    #[variable(output)]
     pub at_limit: bool,
     pub luff: LuffStop,
     pub hoist: HoistStop,

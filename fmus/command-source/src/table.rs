@@ -29,7 +29,7 @@ pub fn read(p: &Parameters<f64>, environment: &Environment<'_>) -> Result<Vec<(f
         names.iter().position(|name| *name == p.column)
     }
     .ok_or_else(|| {
-        Problem::new("column", format!("{}: no column `{}`; the columns are {listed}", path.display(), p.column))
+        Problem::new("column", format!("is `{}`, but {} has the columns {listed}", p.column, path.display()))
     })?;
 
     let mut rows: Vec<(f64, f64)> = Vec::new();

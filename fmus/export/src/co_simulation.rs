@@ -80,8 +80,8 @@ impl<M: Model> Instance<M> {
         let field = Field { p: &self.p, u: &self.u, d: &self.d, memory };
         self.flow.advance(&field, &mut self.x, &mut self.t, target, self.tolerance).map_err(|Stuck(t)| {
             Refusal::discard(format!(
-                "the equations have no finite solution beyond {t} s: look for an input or a start value that is out \
-                 of any physical range"
+                "the equations cannot be integrated beyond {t} s: look for an input or a start value that is out of \
+                 any physical range"
             ))
         })
     }

@@ -9,6 +9,8 @@ use crate::variables::Variables;
 const SHORTEST: f64 = 1e-15;
 /// Two crossings closer than this part of the time are not told apart.
 const TWICE: f64 = 1e-9;
+/// A communication step that needs more steps than this, about a second of computing, does not end in useful time.
+const MOST_STEPS: usize = 1_000_000;
 /// The bracket of an event is narrow enough long before.
 const MOST_TRIALS: usize = 150;
 
@@ -103,7 +105,7 @@ impl<M: Model> Field<'_, M> {
     }
 }
 
-/// The equations have no solution beyond this time (s).
+/// The equations cannot be integrated beyond this time (s).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stuck(pub f64);
 
@@ -125,7 +127,10 @@ impl<M: Model> Flow<M> {
 
     fn integrate(&mut self, field: &Field<'_, M>, now: &mut f64, target: f64, tolerance: f64) -> Result<bool, Stuck> {
         let Self { rk, x, nominal, scratch: seen, h: wanted, primed, z, .. } = self;
-        while *now < target {
+        for _ in 0..MOST_STEPS {
+            if *now >= target {
+                return Ok(false);
+            }
             let t = *now;
             if !*primed {
                 field.derivatives(t, x, rk.first_stage(), seen);
@@ -172,7 +177,7 @@ impl<M: Model> Flow<M> {
             // A step cut short by the communication point says nothing against a longer one.
             *wanted = if h < *wanted { wanted.max(grown) } else { grown };
         }
-        Ok(false)
+        Err(Stuck(*now))
     }
 }
 

@@ -295,7 +295,8 @@ fn bounds(declarations: &[Declaration], values: &impl Variables<f64>) -> Vec<Str
 
 /// The allowed range of a variable, in words.
 pub(crate) fn range(declaration: &Declaration) -> String {
-    let unit = declaration.unit.map_or_else(String::new, |unit| format!(" {}", unit.symbol));
+    let unit = declaration.unit.filter(|unit| unit.symbol != "1");
+    let unit = unit.map_or_else(String::new, |unit| format!(" {}", unit.symbol));
     match (declaration.min, declaration.max) {
         (Some(min), Some(max)) => format!("it must lie between {min} and {max}{unit}"),
         (Some(min), None) => format!("it must be at least {min}{unit}"),

@@ -121,7 +121,7 @@ pub struct Environment<'a> {
 pub struct Problem {
     /// The parameter's name.
     pub variable: String,
-    /// What is wrong and what to do.
+    /// What is wrong and what to do, as it goes on after the name: "is 3; it must be …".
     pub message: String,
 }
 
@@ -134,6 +134,6 @@ impl Problem {
 
 impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {}", self.variable, self.message)
+        write!(f, "{} {}", self.variable, self.message)
     }
 }

@@ -93,8 +93,12 @@ impl Model for InputShaper {
         // At 1 m for a frequency that follows the length: what it is then is not known before the run.
         match shaper(p, 1.0) {
             Ok(_) => {}
-            Err(Refusal::Mode(error)) => problems.push(Problem::new("mode.frequency[1]", error.to_string())),
-            Err(Refusal::Design(error)) => problems.push(Problem::new("mode.damping_ratio[1]", error.to_string())),
+            Err(Refusal::Mode(error)) => {
+                problems.push(Problem::new("mode.frequency[1]", format!("cannot be used: {error}")))
+            }
+            Err(Refusal::Design(error)) => {
+                problems.push(Problem::new("mode.damping_ratio[1]", format!("cannot be used: {error}")))
+            }
         }
         problems
     }

@@ -58,7 +58,7 @@ impl<R: Scalar> Payload<R> {
         let relative = self.velocity - across(suspension.pivot, n);
         let potential = above.dot(&above) * 0.25;
         let kinetic = relative.dot(&relative) / (gravity * suspension.length * 4.0);
-        (potential + kinetic).at_most(1.0).sqrt().asin() * 2.0
+        (potential + kinetic).clamp(0.0, 1.0).sqrt().asin() * 2.0
     }
 
     /// n/|n|: integration lets the length drift by its error.

@@ -103,7 +103,7 @@ impl Scalar for Dependence {
     fn sqrt(self) -> Self {
         self
     }
-    fn at_most(self, _: f64) -> Self {
+    fn clamp(self, _: f64, _: f64) -> Self {
         self
     }
     fn select(_: bool, a: Self, b: Self) -> Self {

@@ -49,8 +49,8 @@ pub trait Scalar:
     fn atan2(self, x: Self) -> Self;
     /// Square root; where a derivative is taken, it is 0 at 0.
     fn sqrt(self) -> Self;
-    /// The lesser of this and a constant.
-    fn at_most(self, limit: f64) -> Self;
+    /// The number between two constants that is closest to this one.
+    fn clamp(self, least: f64, most: f64) -> Self;
     /// `a` where the discrete condition holds, `b` where not; it depends on both.
     fn select(condition: bool, a: Self, b: Self) -> Self;
     /// Sine and cosine of an angle in rad.

@@ -24,8 +24,8 @@ impl Scalar for f64 {
         f64::sqrt(self)
     }
     #[inline]
-    fn at_most(self, limit: f64) -> Self {
-        self.min(limit)
+    fn clamp(self, least: f64, most: f64) -> Self {
+        f64::clamp(self, least, most)
     }
     #[inline]
     fn select(condition: bool, a: Self, b: Self) -> Self {

@@ -15,7 +15,7 @@ fn parameters_out_of_range_are_all_named_when_initialization_ends() {
     assert_eq!(ball.exit_initialization(), ERROR);
     let message = ball.last_message();
     assert!(message.contains("gravity is -1; it must be at least 0.1 m/s2"), "{message}");
-    assert!(message.contains("restitution is 2; it must lie between 0 and 1 1"), "{message}");
+    assert!(message.contains("restitution is 2; it must lie between 0 and 1"), "{message}");
     assert_eq!(ball.step(0.0, 0.1), ERROR);
     assert_eq!(ball.reset(), OK);
     ball.initialize();
