@@ -396,3 +396,31 @@ fn what_is_wrong_with_a_description_has_its_line() {
     assert!(matches!(System::open("no/such.ssd"), Err(Error::FileNotFound { .. })));
     assert!(matches!(System::open("no/such.fmu"), Err(Error::FileNotFound { .. })));
 }
+
+#[test]
+fn instances_are_ordered_by_what_feeds_through() {
+    let variables = r#"
+        <Float64 name="u" valueReference="0" causality="input" start="0"/>
+        <Float64 name="w" valueReference="1" causality="input" start="0"/>
+        <Float64 name="y" valueReference="2" causality="output" initial="exact" start="0"/>"#;
+    let holding = || mock("Holding", variables, r#"<Output valueReference="2" dependencies=""/>"#, |_| {}, rest);
+    let passing = || mock("Passing", variables, r#"<Output valueReference="2" dependencies="0"/>"#, |_| {}, rest);
+    // A plant in a loop with a controller that passes its measurement on: the plant begins, whoever is named first.
+    for swapped in [false, true] {
+        let mut system = System::new("loop");
+        let mut parts = vec![("controller", passing()), ("plant", holding()), ("source", holding())];
+        if swapped {
+            parts.reverse();
+        }
+        parts.into_iter().for_each(|(name, part)| system.add_model(name, part));
+        system.connect("plant.y", "controller.u");
+        system.connect("controller.y", "plant.u");
+        system.connect("source.y", "controller.w");
+        assert_eq!(system.order().unwrap(), ["source", "plant", "controller"]);
+    }
+    // Where nothing feeds through the order is the one in which the instances were added.
+    let mut system = System::new("circle");
+    ["c", "a", "b"].into_iter().for_each(|name| system.add_model(name, holding()));
+    [("a.y", "b.u"), ("b.y", "c.u"), ("c.y", "a.u")].into_iter().for_each(|(from, to)| system.connect(from, to));
+    assert_eq!(system.order().unwrap(), ["c", "a", "b"]);
+}

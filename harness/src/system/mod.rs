@@ -182,6 +182,12 @@ impl System {
         &self.start_values
     }
 
+    /// The names of the instances in the order of the flow, which is the order in which Gauss–Seidel steps them.
+    pub fn order(&self) -> Result<Vec<&str>> {
+        let order = Wiring::of(self)?.flow.instances;
+        Ok(order.into_iter().map(|index| self.instances[index].name.as_str()).collect())
+    }
+
     /// Checks names, directions, types, units, start values and algebraic loops; returns all problems at once.
     pub fn check(&self) -> Result<()> {
         Wiring::of(self).map(drop)
