@@ -1,0 +1,103 @@
+//! One `doStep` of 10 ms of every built FMU, in both FMI versions, with inputs held and with inputs that change.
+//!
+//! Run `swayless build` first. `SWAYLESS_FMUS` names another folder than `target/fmus`.
+
+use std::cell::RefCell;
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+use divan::Bencher;
+use swayless::Fmu;
+use swayless::slave::{Experiment, Model, Slave};
+use swayless_modeldesc::types::{Causality, DataType};
+
+const STEP_SIZE: f64 = 0.01;
+/// A change every second, as an operator's hand may do.
+const STEPS_PER_CHANGE: u32 = 100;
+
+fn main() {
+    divan::main();
+}
+
+/// A built FMU by the version's folder and its file's stem.
+#[derive(Clone)]
+struct Built(PathBuf);
+
+impl fmt::Display for Built {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let part = |path: Option<&Path>| path.and_then(Path::file_stem).unwrap_or_default().display().to_string();
+        write!(f, "{}/{}", part(self.0.parent()), part(Some(&self.0)))
+    }
+}
+
+fn built() -> Vec<Built> {
+    let default = || Path::new(env!("CARGO_MANIFEST_DIR")).join("../target/fmus");
+    let folder = std::env::var_os("SWAYLESS_FMUS").map_or_else(default, PathBuf::from);
+    let mut found: Vec<_> = ["fmi2", "fmi3"]
+        .iter()
+        .filter_map(|version| folder.join(version).read_dir().ok())
+        .flat_map(|entries| entries.filter_map(|entry| Some(Built(entry.ok()?.path()))))
+        .filter(|built| built.0.extension().is_some_and(|extension| extension == "fmu"))
+        .collect();
+    found.sort_by(|a, b| a.0.cmp(&b.0));
+    if found.is_empty() {
+        println!("no FMUs in {}: run `swayless build` first", folder.display());
+    }
+    found
+}
+
+/// An instance that is stepped on and on.
+struct Stepped {
+    slave: Box<dyn Slave>,
+    inputs: Vec<u32>,
+    values: Vec<f64>,
+    step: u32,
+}
+
+impl Stepped {
+    fn new(built: &Built) -> Self {
+        let fmu = Fmu::open(&built.0).expect("an FMU of ours opens");
+        let mut slave = fmu.instantiate("bench", false).expect("an FMU of ours has an instance");
+        let experiment = Experiment { start_time: 0.0, stop_time: 1e9, tolerance: None };
+        slave.enter_initialization_mode(&experiment).expect("initialization begins");
+        slave.exit_initialization_mode().expect("initialization ends");
+        let inputs: Vec<_> = fmu
+            .description()
+            .variables
+            .iter()
+            .filter(|v| v.causality == Causality::Input && v.data_type == DataType::Float64 && v.dimensions.is_empty())
+            // Lengths are no commands: a hoist of 0 m is nothing to measure.
+            .filter(|v| v.name.ends_with("command") || v.name.ends_with("rate"))
+            .map(|v| v.value_reference)
+            .collect();
+        let values = vec![0.0; inputs.len()];
+        Self { slave, inputs, values, step: 0 }
+    }
+
+    fn step(&mut self) {
+        self.slave.do_step(f64::from(self.step) * STEP_SIZE, STEP_SIZE).expect("a step succeeds");
+        self.step += 1;
+    }
+
+    fn step_with_changes(&mut self) {
+        if self.step.is_multiple_of(STEPS_PER_CHANGE) {
+            // Back and forth, so that nothing runs away.
+            let sign = if self.step / STEPS_PER_CHANGE % 2 == 0 { 1.0 } else { -1.0 };
+            self.values.fill(0.01 * sign);
+        }
+        self.slave.set_float(DataType::Float64, &self.inputs, &self.values).expect("inputs are set");
+        self.step();
+    }
+}
+
+#[divan::bench(args = built())]
+fn held(bencher: Bencher, built: &Built) {
+    let stepped = RefCell::new(Stepped::new(built));
+    bencher.bench_local(|| stepped.borrow_mut().step());
+}
+
+#[divan::bench(args = built())]
+fn changing(bencher: Bencher, built: &Built) {
+    let stepped = RefCell::new(Stepped::new(built));
+    bencher.bench_local(|| stepped.borrow_mut().step_with_changes());
+}
