@@ -171,6 +171,9 @@ fn write_report(arguments: &Arguments, runs: &[Run], results: &results::Results)
 }
 
 fn write(path: &Path, text: &str) -> Result<(), Failure> {
+    if let Some(folder) = path.parent() {
+        std::fs::create_dir_all(folder).map_err(|source| write_failed(folder, source))?;
+    }
     std::fs::write(path, text).map_err(|source| write_failed(path, source))?;
     console::note(format_args!("Wrote {}", path.display()));
     Ok(())
