@@ -1,1 +1,1 @@
-//! Black-box tests of built FMUs.
+//! Black-box tests of built FMUs: everything is in `tests/blackbox`.

@@ -1,0 +1,43 @@
+"""Finds the packaged FMUs: the folders `fmi2` and `fmi3` below the folder that SWAYLESS_FMUS names.
+
+A test that asks for `fmu` runs for every archive; one that asks for `case` runs for every archive and every variant of
+its parameters; one that asks for `both` runs for every name and variant, with the archives of both versions.
+"""
+
+import os
+import tempfile
+from pathlib import Path
+
+import pytest
+from host import Fmu
+
+FOLDER = Path(os.environ["SWAYLESS_FMUS"])
+PATHS = sorted(FOLDER.glob("fmi[23]/*.fmu"))
+UNPACKED = tempfile.TemporaryDirectory(prefix="swayless-fmus-")
+FMUS = {(path.parent.name, path.stem): Fmu(path, Path(UNPACKED.name, path.parent.name, path.stem)) for path in PATHS}
+
+
+def label(variant):
+    """A variant in a test's name."""
+    return ",".join(f"{name}={value}" for name, value in variant.items()) or "default"
+
+
+def pytest_generate_tests(metafunc):
+    """Parametrizes by fixture name."""
+    if "fmu" in metafunc.fixturenames:
+        metafunc.parametrize("fmu", FMUS.values(), ids=["/".join(key) for key in FMUS])
+    if "case" in metafunc.fixturenames:
+        cases = [(key, fmu, variant) for key, fmu in FMUS.items() for variant in fmu.variants()]
+        ids = ["/".join(key) + "-" + label(variant) for key, _, variant in cases]
+        metafunc.parametrize("case", [(fmu, variant) for _, fmu, variant in cases], ids=ids)
+    if "both" in metafunc.fixturenames:
+        names = sorted({name for _, name in FMUS})
+        cases = [(name, variant) for name in names for variant in FMUS["fmi2", name].variants()]
+        pairs = [(FMUS["fmi2", name], FMUS["fmi3", name], variant) for name, variant in cases]
+        metafunc.parametrize("both", pairs, ids=[f"{name}-{label(variant)}" for name, variant in cases])
+
+
+@pytest.fixture(scope="session")
+def named():
+    """The FMU of a version's folder and a name."""
+    return lambda version, name: FMUS[version, name]

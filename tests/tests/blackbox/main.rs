@@ -1,0 +1,13 @@
+//! Black-box tests: everything here goes through packaged FMUs, the `swayless` command, or the repository's files.
+
+mod boom_crane;
+mod command_source;
+mod instance;
+mod libraries;
+mod mistakes;
+mod packaged;
+mod python;
+mod reference;
+mod repository;
+mod reproducible;
+mod vector_drive;

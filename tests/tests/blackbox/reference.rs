@@ -1,0 +1,91 @@
+//! `BoomCrane` against trajectories that were integrated independently.
+//!
+//! `data/boom_payload.json` holds solutions of the thesis's equations for the payload (2.13–2.14, corrected) in two
+//! orders of the swing angles and of a Cartesian model with a multiplier, which agree within 2e-10 m. Joints move on
+//! quintics from rest to rest; angles are in the order "β, then φ", which is our `swing.tangential`, `swing.radial`.
+
+use serde_json::Value as Json;
+
+use crate::instance::{Instance, Set};
+use crate::packaged::repository;
+
+/// Communication step (s). The rates are held at each step's average, so that the joints are exact at every
+/// communication point; what is left is an error of second order.
+const STEP: f64 = 1e-3;
+const ANGLE: f64 = 1e-6;
+const POSITION: f64 = 1e-6;
+
+/// A joint: a number where it rests, `[t0, t1, from, to]` where it moves.
+struct Joint([f64; 4]);
+
+impl Joint {
+    fn of(definition: &Json, name: &str) -> Self {
+        let number = |json: &Json| json.as_f64().expect("a number");
+        match &definition[name] {
+            Json::Array(parts) => Self(std::array::from_fn(|i| number(&parts[i]))),
+            fixed => Self([0.0, 1.0, number(fixed), number(fixed)]),
+        }
+    }
+
+    /// The quintic from rest to rest.
+    fn at(&self, time: f64) -> f64 {
+        let [begin, end, from, to] = self.0;
+        let s = ((time - begin) / (end - begin)).clamp(0.0, 1.0);
+        from + (to - from) * s.powi(3) * (10.0 - 15.0 * s + 6.0 * s * s)
+    }
+}
+
+#[test]
+fn boom_crane_follows_the_reference_trajectories() {
+    let text = std::fs::read_to_string(repository().join("tests/data/boom_payload.json")).expect("the reference");
+    let reference: Json = serde_json::from_str(&text).expect("JSON");
+    let scenarios = reference["scenarios"].as_object().expect("scenarios");
+    assert_eq!(scenarios.len(), 3);
+    for (name, scenario) in scenarios {
+        let (angle, position) = largest_differences(&scenario["def"], scenario["rows"].as_array().expect("rows"));
+        println!("{name}: angles within {angle:.1e} rad, payload within {position:.1e} m");
+        assert!(angle <= ANGLE, "{name}: angles differ by {angle:e} rad");
+        assert!(position <= POSITION, "{name}: the payload is off by {position:e} m");
+    }
+}
+
+fn largest_differences(definition: &Json, rows: &[Json]) -> (f64, f64) {
+    let joints = [
+        ("base.velocity.x", "base.x", Joint::of(definition, "x")),
+        ("base.velocity.y", "base.y", Joint::of(definition, "y")),
+        ("base.yaw_rate", "base.yaw", Joint::of(definition, "psi")),
+        ("slew.rate", "slew.angle", Joint::of(definition, "theta")),
+        ("luff.rate", "luff.angle", Joint::of(definition, "gamma")),
+        ("hoist.rate", "hoist.length", Joint::of(definition, "l")),
+    ];
+    let fixed = |name: &str| Set::Real(definition[name].as_f64().expect("a fixed number"));
+    let start = |i: usize| Set::Real(definition["ic"][i].as_f64().expect("a start value"));
+    let mut values = vec![
+        ("boom.offset", fixed("a")),
+        ("boom.height", fixed("h")),
+        ("boom.length", fixed("r")),
+        ("swing.tangential_start", start(0)),
+        ("swing.radial_start", start(1)),
+        ("swing.tangential_rate_start", start(2)),
+        ("swing.radial_rate_start", start(3)),
+    ];
+    values.extend(joints.iter().map(|(_, state, joint)| (*state, Set::Real(joint.at(0.0)))));
+    let mut crane = Instance::started("BoomCrane", STEP, &values);
+
+    let (mut angle, mut position) = (0.0_f64, 0.0_f64);
+    for row in rows {
+        let wanted = |i: usize| row[i].as_f64().expect("a number");
+        while crane.time() + 0.5 * STEP < wanted(0) {
+            let (now, next) = (crane.time(), crane.time() + STEP);
+            for (rate, _, joint) in &joints {
+                crane.set(rate, (joint.at(next) - joint.at(now)) / STEP).expect("a rate");
+            }
+            crane.step();
+        }
+        let swing = [crane.get("swing.tangential") - wanted(1), crane.get("swing.radial") - wanted(2)];
+        angle = swing.iter().fold(angle, |worst, d| worst.max(d.abs()));
+        let payload = crane.get3(["payload.x", "payload.y", "payload.z"]);
+        position = (0..3).fold(position, |worst, i| worst.max((payload[i] - wanted(7 + i)).abs()));
+    }
+    (angle, position)
+}
