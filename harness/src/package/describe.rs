@@ -65,7 +65,7 @@ unsafe extern "C" fn collect(context: *mut c_void, bytes: *const u8, count: usiz
 fn name(path: &Path, item: &CStr, xml: &str) -> Result<String, Error> {
     let bad = |problem: String| Error::bad_answer(path, item, problem);
     let (description, problems) =
-        swayless_modeldesc::read::read(xml).map_err(|e| bad(format!("is unreadable: {e}")))?;
+        check::read_and_check(xml.as_bytes()).map_err(|e| bad(format!("is unreadable: {e}")))?;
     if let Some(problem) = problems.iter().find(|p| p.severity == Severity::Error) {
         return Err(bad(format!("is wrong: {problem}")));
     }
