@@ -82,7 +82,7 @@ impl Stepped {
     fn step_with_changes(&mut self) {
         if self.step.is_multiple_of(STEPS_PER_CHANGE) {
             // Back and forth, so that nothing runs away.
-            let sign = if self.step / STEPS_PER_CHANGE % 2 == 0 { 1.0 } else { -1.0 };
+            let sign = if (self.step / STEPS_PER_CHANGE).is_multiple_of(2) { 1.0 } else { -1.0 };
             self.values.fill(0.01 * sign);
         }
         self.slave.set_float(DataType::Float64, &self.inputs, &self.values).expect("inputs are set");

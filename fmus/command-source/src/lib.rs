@@ -52,7 +52,7 @@ impl Model for CommandSource {
     fn event(at: &mut Event<'_, Self>) -> Option<f64> {
         let next = at.memory.partition_point(|segment| segment.begin <= at.t);
         // The first segment has always begun.
-        let segment = at.memory[next.saturating_sub(1)];
+        let segment = *at.memory.get(next.checked_sub(1)?)?;
         at.d.segment.value = segment.value;
         at.d.segment.slope = segment.slope;
         // The first segment begins long ago and is level, so that any finite begin does.

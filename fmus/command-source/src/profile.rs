@@ -1,12 +1,13 @@
 //! A command as a sequence of straight pieces.
 
+use serde::{Deserialize, Serialize};
 use swayless_export::{Environment, Problem};
 
 use crate::table;
 use crate::variables::{Interpolation, Kind, Parameters};
 
 /// A straight piece: value + slope · (t − begin), until the next begins.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Segment {
     /// When it begins (s).
     pub begin: f64,

@@ -29,7 +29,38 @@ pub struct Flow<M: Model> {
     z: Option<M::Indicators>,
 }
 
+/// How far the integrator is, beside its buffers: with it, an integration goes on to the same bits.
+#[derive(Debug, Clone)]
+pub struct Pace<Z> {
+    /// The length that the error control wants for the next step.
+    pub h: f64,
+    /// The derivatives at x, if they are known.
+    pub first_stage: Option<Vec<f64>>,
+    /// The indicators at x, if they are known.
+    pub z: Option<Z>,
+}
+
 impl<M: Model> Flow<M> {
+    /// How far the integrator is.
+    pub fn pace(&mut self) -> Pace<M::Indicators> {
+        let first_stage = self.primed.then(|| self.rk.first_stage().to_vec());
+        Pace { h: self.h, first_stage, z: self.z.clone() }
+    }
+
+    /// Goes on from where another integrator was. Stages of another number of states are not taken.
+    pub fn set_pace(&mut self, pace: &Pace<M::Indicators>) {
+        self.h = pace.h;
+        self.z.clone_from(&pace.z);
+        let place = self.rk.first_stage();
+        self.primed = match &pace.first_stage {
+            Some(stage) if stage.len() == place.len() => {
+                place.copy_from_slice(stage);
+                true
+            }
+            _ => false,
+        };
+    }
+
     /// With buffers for the model's states.
     pub fn new() -> Self {
         let n = Layout::<M>::STATE_COUNT;

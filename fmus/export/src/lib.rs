@@ -23,6 +23,8 @@ mod model;
 mod model_exchange;
 mod phase;
 mod raw;
+mod raw_state;
+mod snapshot;
 mod structure;
 mod symbols;
 mod token;

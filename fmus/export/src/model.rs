@@ -3,6 +3,8 @@
 use std::fmt;
 use std::path::Path;
 
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 use swayless_scalar::Scalar;
 
 use crate::variables::Variables;
@@ -22,8 +24,8 @@ pub trait Model: Sized + Send + 'static {
     /// d: changes at events only; numbers, truth values, enumerations.
     type Discrete<R: Scalar>: Variables<R>;
     /// What a model remembers beside its variables: event queues, tables. Copied before a step that has events, so
-    /// `clone_from` should reuse memory.
-    type Memory: Clone + Send;
+    /// `clone_from` should reuse memory; deserialization must refuse what cannot be.
+    type Memory: Clone + Send + Serialize + DeserializeOwned;
     /// z: `[f64; N]`; a change between > 0 and ≤ 0 is an event.
     type Indicators: Indicators;
 
@@ -52,10 +54,17 @@ pub trait Model: Sized + Send + 'static {
 pub trait Indicators: AsRef<[f64]> + Clone + Send {
     /// How many there are.
     const COUNT: usize;
+    /// The indicators of these values, if they are as many.
+    fn of(values: &[f64]) -> Option<Self>
+    where
+        Self: Sized;
 }
 
 impl<const N: usize> Indicators for [f64; N] {
     const COUNT: usize = N;
+    fn of(values: &[f64]) -> Option<Self> {
+        values.try_into().ok()
+    }
 }
 
 /// What a model is.

@@ -32,6 +32,16 @@ pub enum Phase {
     Broken = 128,
 }
 
+impl Phase {
+    /// The phase of a number, if there is one.
+    pub fn of(number: u8) -> Option<Self> {
+        use Phase::{Broken, ContinuousTime, Event, Failed, Initialization, Instantiated, Step, Terminated};
+        [Instantiated, Initialization, Event, ContinuousTime, Step, Terminated, Failed, Broken]
+            .into_iter()
+            .find(|phase| *phase as u8 == number)
+    }
+}
+
 const RUNNING: u8 = Phase::Event as u8 | Phase::ContinuousTime as u8 | Phase::Step as u8;
 const ANY: u8 = u8::MAX - Phase::Broken as u8;
 
@@ -60,6 +70,7 @@ pub enum Call {
     GetContinuousStates,
     GetNominals,
     GetCounts,
+    State,
     /// A function behind a capability that is not offered: refused in every phase.
     NotOffered,
 }
@@ -75,7 +86,7 @@ impl Call {
         const STEP: u8 = Phase::Step as u8;
         const LOOKING: u8 = INITIALIZATION | RUNNING | Phase::Terminated as u8 | Phase::Failed as u8;
         match self {
-            Self::SetDebugLogging | Self::Reset => (ANY, None),
+            Self::SetDebugLogging | Self::Reset | Self::State => (ANY, None),
             Self::SetupExperiment | Self::EnterInitializationMode => (INSTANTIATED, None),
             Self::ExitInitializationMode => (INITIALIZATION, None),
             Self::Terminate => (RUNNING, None),

@@ -7,11 +7,27 @@ use crate::variables::{Value, Variables};
 /// FNV-1a of 128 bits (offset basis and prime from the FNV reference).
 struct Hash(u128);
 
+/// The hash of bytes, to see whether they are still what they were.
+pub fn checksum(bytes: &[u8]) -> [u8; 16] {
+    let mut hash = Hash::new();
+    hash.add_bytes(bytes);
+    hash.0.to_le_bytes()
+}
+
 impl Hash {
-    fn add(&mut self, text: &str) {
-        for byte in text.bytes().chain([0]) {
-            self.0 = (self.0 ^ u128::from(byte)).wrapping_mul(0x0000_0000_0100_0000_0000_0000_0000_013B);
+    fn new() -> Self {
+        Self(0x6C62_272E_07BB_0142_62B8_2175_6295_C58D)
+    }
+
+    fn add_bytes(&mut self, bytes: &[u8]) {
+        for byte in bytes {
+            self.0 = (self.0 ^ u128::from(*byte)).wrapping_mul(0x0000_0000_0100_0000_0000_0000_0000_013B);
         }
+    }
+
+    fn add(&mut self, text: &str) {
+        self.add_bytes(text.as_bytes());
+        self.add_bytes(&[0]);
     }
 
     fn add_starts(&mut self, values: &impl Variables<f64>, count: usize) {
@@ -27,7 +43,7 @@ impl Hash {
 
 /// The token of a model, written as a GUID.
 pub fn of<M: Model>() -> String {
-    let mut hash = Hash(0x6C62_272E_07BB_0142_62B8_2175_6295_C58D);
+    let mut hash = Hash::new();
     hash.add(M::INFO.name);
     hash.add(env!("CARGO_PKG_VERSION"));
     for block in [Block::Parameters, Block::Inputs, Block::States, Block::Outputs, Block::Discrete] {

@@ -1,5 +1,6 @@
 //! `InputShaper`: shapes the command of one axis so that the payload does not swing (thesis 1.2).
 
+use serde::{Deserialize, Serialize};
 use swayless_export::{Environment, Event, Info, Model, Point, Problem, Scalar, export_fmu};
 use swayless_shaping::{DesignError, Mode, ModeError, Shaper, Trains, design};
 
@@ -14,6 +15,7 @@ const PENDING: usize = 16_384;
 struct InputShaper;
 
 /// What the shaper remembers between events.
+#[derive(Serialize, Deserialize)]
 struct Memory {
     trains: Trains,
     shaper: Shaper,

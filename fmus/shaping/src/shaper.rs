@@ -2,13 +2,15 @@
 
 use std::fmt;
 
+use serde::{Deserialize, Serialize};
+
 use crate::ShaperError;
 
 /// The most impulses a [`Shaper`] holds.
 pub const MAX_IMPULSES: usize = 32;
 
 /// One impulse of a shaper.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Impulse {
     /// When it acts, in seconds after the change of the command.
     pub time: f64,
@@ -17,7 +19,8 @@ pub struct Impulse {
 }
 
 /// An input shaper: impulses in strictly ascending order of time. It lives on the stack.
-#[derive(Clone)]
+#[derive(Clone, Serialize, Deserialize)]
+#[serde(try_from = "Vec<Impulse>", into = "Vec<Impulse>")]
 pub struct Shaper {
     count: usize,
     impulses: [Impulse; MAX_IMPULSES],
@@ -87,6 +90,20 @@ impl Shaper {
     #[must_use]
     pub fn is_positive(&self) -> bool {
         self.impulses().iter().all(|impulse| impulse.amplitude >= 0.0)
+    }
+}
+
+impl TryFrom<Vec<Impulse>> for Shaper {
+    type Error = ShaperError;
+
+    fn try_from(impulses: Vec<Impulse>) -> Result<Self, Self::Error> {
+        Self::new(&impulses)
+    }
+}
+
+impl From<Shaper> for Vec<Impulse> {
+    fn from(shaper: Shaper) -> Self {
+        shaper.impulses().to_vec()
     }
 }
 

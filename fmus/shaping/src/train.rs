@@ -1,9 +1,11 @@
 //! Shaping a command that changes at any time: one impulse train per change, at exact times.
 
+use serde::{Deserialize, Serialize};
+
 use crate::Shaper;
 
 /// A part of a command that is still to come.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Pending {
     /// When it comes, in seconds.
     pub time: f64,
@@ -17,12 +19,36 @@ pub struct Pending {
 /// command less all that is pending: once nothing is, it *is* the command, to the last bit, and rounding never accumulates.
 ///
 /// Time is expected not to run backwards; a value once passed on stays so.
-#[derive(Debug)]
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(try_from = "Parts")]
 pub struct Trains {
     command: f64,
     value: f64,
     /// Latest first, so that the next one is at the end.
     pending: Vec<Pending>,
+}
+
+/// What trains are serialized as.
+#[derive(Deserialize)]
+struct Parts {
+    command: f64,
+    value: f64,
+    pending: Vec<Pending>,
+}
+
+impl TryFrom<Parts> for Trains {
+    type Error = &'static str;
+
+    fn try_from(Parts { command, value, pending }: Parts) -> Result<Self, Self::Error> {
+        let finite = |pending: &Pending| pending.time.is_finite() && pending.amount.is_finite();
+        if !command.is_finite() || !value.is_finite() || !pending.iter().all(finite) {
+            return Err("a command or pending impulse is not finite");
+        }
+        if !pending.is_sorted_by(|a, b| a.time >= b.time) {
+            return Err("the pending impulses are not in order");
+        }
+        Ok(Self { command, value, pending })
+    }
 }
 
 /// A clone has the same room, so that it allocates as little later as the original.

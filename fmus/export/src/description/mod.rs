@@ -22,6 +22,8 @@ pub fn of<M: Model>(version: FmiVersion) -> ModelDescription {
     let interface = Interface {
         model_identifier: M::INFO.name.to_string(),
         can_not_use_memory_management_functions: true,
+        can_get_and_set_fmu_state: true,
+        can_serialize_fmu_state: true,
         ..Interface::default()
     };
     ModelDescription {

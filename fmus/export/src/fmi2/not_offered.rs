@@ -18,12 +18,6 @@ macro_rules! not_offered {
 }
 
 not_offered! {
-    fmi2GetFMUstate(*mut FMUstate);
-    fmi2SetFMUstate(FMUstate);
-    fmi2FreeFMUstate(*mut FMUstate);
-    fmi2SerializedFMUstateSize(FMUstate, *mut usize);
-    fmi2SerializeFMUstate(FMUstate, *mut Byte, usize);
-    fmi2DeSerializeFMUstate(*const Byte, usize, *mut FMUstate);
     fmi2GetDirectionalDerivative(
         *const ValueReference, usize, *const ValueReference, usize, *const Real, *mut Real
     );

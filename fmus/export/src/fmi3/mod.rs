@@ -7,10 +7,12 @@ mod co_simulation;
 mod common;
 mod model_exchange;
 mod not_offered;
+mod state;
 mod values;
 
 pub use co_simulation::*;
 pub use common::*;
 pub use model_exchange::*;
 pub use not_offered::*;
+pub use state::*;
 pub use values::*;

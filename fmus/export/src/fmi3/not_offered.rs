@@ -24,12 +24,6 @@ not_offered! {
     fmi3GetVariableDependencies(
         ValueReference, *mut usize, *mut ValueReference, *mut usize, *mut DependencyKind, usize
     );
-    fmi3GetFMUState(*mut FMUState);
-    fmi3SetFMUState(FMUState);
-    fmi3FreeFMUState(*mut FMUState);
-    fmi3SerializedFMUStateSize(FMUState, *mut usize);
-    fmi3SerializeFMUState(FMUState, *mut Byte, usize);
-    fmi3DeserializeFMUState(*const Byte, usize, *mut FMUState);
     fmi3GetDirectionalDerivative(
         *const ValueReference, usize, *const ValueReference, usize, *const Float64, usize, *mut Float64, usize
     );

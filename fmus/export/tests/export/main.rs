@@ -9,4 +9,5 @@ mod events;
 mod host;
 mod life_cycle;
 mod refusals;
+mod state;
 mod values;
