@@ -24,6 +24,7 @@ mod model_exchange;
 mod phase;
 mod raw;
 mod raw_state;
+mod sensitivity;
 mod snapshot;
 mod structure;
 mod symbols;

@@ -71,6 +71,7 @@ pub enum Call {
     GetNominals,
     GetCounts,
     State,
+    GetDerivative,
     /// A function behind a capability that is not offered: refused in every phase.
     NotOffered,
 }
@@ -90,7 +91,7 @@ impl Call {
             Self::SetupExperiment | Self::EnterInitializationMode => (INSTANTIATED, None),
             Self::ExitInitializationMode => (INITIALIZATION, None),
             Self::Terminate => (RUNNING, None),
-            Self::Get => (LOOKING, None),
+            Self::Get | Self::GetDerivative => (LOOKING, None),
             Self::Set => (INSTANTIATED | INITIALIZATION | RUNNING, None),
             Self::DoStep => (STEP, Some(CoSimulation)),
             Self::GetStatus => (STEP | Phase::Terminated as u8 | Phase::Failed as u8, Some(CoSimulation)),

@@ -1,10 +1,12 @@
 //! The number that model equations are written over.
 //!
-//! An equation written once over [`Scalar`] gives values with `f64` and, with [`Dependence`], the set of variables it
-//! depends on. A scalar cannot be compared for order, so an equation cannot switch silently: switching belongs to the
-//! discrete state of a model, which changes at events only, and reaches an equation through [`Scalar::select`].
+//! An equation written once over [`Scalar`] gives values with `f64`, exact derivatives with [`Dual`] and, with
+//! [`Dependence`], the set of variables it depends on. A scalar cannot be compared for order, so an equation cannot
+//! switch silently: switching belongs to the discrete state of a model, which changes at events only, and reaches an
+//! equation through [`Scalar::select`].
 
 mod dependence;
+mod dual;
 mod real;
 
 use core::fmt::Debug;
@@ -13,6 +15,7 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 use num_traits::{One, Zero};
 
 pub use dependence::Dependence;
+pub use dual::Dual;
 
 /// A number of a model equation.
 pub trait Scalar:

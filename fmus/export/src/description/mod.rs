@@ -24,6 +24,8 @@ pub fn of<M: Model>(version: FmiVersion) -> ModelDescription {
         can_not_use_memory_management_functions: true,
         can_get_and_set_fmu_state: true,
         can_serialize_fmu_state: true,
+        provides_directional_derivatives: true,
+        provides_adjoint_derivatives: true,
         ..Interface::default()
     };
     ModelDescription {

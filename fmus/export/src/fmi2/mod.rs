@@ -5,6 +5,7 @@
 mod callbacks;
 mod co_simulation;
 mod common;
+mod derivative;
 mod model_exchange;
 mod not_offered;
 mod state;
@@ -12,6 +13,7 @@ mod values;
 
 pub use co_simulation::*;
 pub use common::*;
+pub use derivative::*;
 pub use model_exchange::*;
 pub use not_offered::*;
 pub use state::*;

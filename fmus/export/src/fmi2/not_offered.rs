@@ -18,9 +18,6 @@ macro_rules! not_offered {
 }
 
 not_offered! {
-    fmi2GetDirectionalDerivative(
-        *const ValueReference, usize, *const ValueReference, usize, *const Real, *mut Real
-    );
     fmi2SetRealInputDerivatives(*const ValueReference, usize, *const Integer, *const Real);
     fmi2GetRealOutputDerivatives(*const ValueReference, usize, *const Integer, *mut Real);
     fmi2CancelStep();

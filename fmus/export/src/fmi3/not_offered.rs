@@ -24,12 +24,6 @@ not_offered! {
     fmi3GetVariableDependencies(
         ValueReference, *mut usize, *mut ValueReference, *mut usize, *mut DependencyKind, usize
     );
-    fmi3GetDirectionalDerivative(
-        *const ValueReference, usize, *const ValueReference, usize, *const Float64, usize, *mut Float64, usize
-    );
-    fmi3GetAdjointDerivative(
-        *const ValueReference, usize, *const ValueReference, usize, *const Float64, usize, *mut Float64, usize
-    );
     fmi3EnterConfigurationMode();
     fmi3ExitConfigurationMode();
     fmi3EvaluateDiscreteStates();

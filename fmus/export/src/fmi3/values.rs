@@ -9,10 +9,11 @@ use crate::phase::Call;
 use crate::raw::{c_text, call, slice, slice_mut, text};
 use crate::variables::Value;
 
-/// Visits every scalar of the variables with its place among the values, which must be as many.
-fn each_scalar<M: Model>(
+/// Visits every scalar of the variables with its place among the values; there must be as many of these, if their
+/// number is given.
+pub(super) fn each_scalar<M: Model>(
     references: &[ValueReference],
-    n_values: usize,
+    n_values: Option<usize>,
     mut visit: impl FnMut(usize, Block, usize) -> Result<(), Refusal>,
 ) -> Result<(), Refusal> {
     let mut next = 0;
@@ -22,23 +23,18 @@ fn each_scalar<M: Model>(
         let Some((block, index)) = found.filter(|_| extent > 0) else {
             return Err(Refusal::error(format!("there is no variable with value reference {reference}")));
         };
-        if next + extent > n_values {
-            break;
-        }
-        for element in 0..extent {
-            visit(next + element, block, index + element)?;
+        // What does not fit is counted on, for the message.
+        if n_values.is_none_or(|n| next + extent <= n) {
+            for element in 0..extent {
+                visit(next + element, block, index + element)?;
+            }
         }
         next += extent;
     }
-    let wanted: usize = references
-        .iter()
-        .filter_map(|reference| Layout::<M>::locate(*reference))
-        .map(|(block, index)| Layout::<M>::extent(block, index))
-        .sum();
-    if wanted == n_values {
-        return Ok(());
+    match n_values {
+        Some(n) if n != next => Err(Refusal::error(format!("the variables have {next} values, but nValues is {n}"))),
+        _ => Ok(()),
     }
-    Err(Refusal::error(format!("the variables have {wanted} values, but nValues is {n_values}")))
 }
 
 fn wrong_type<M: Model>(block: Block, index: usize, function: &str) -> Refusal {
@@ -61,7 +57,7 @@ macro_rules! accessors {
                 call::<M>(instance, Call::Get, stringify!($get), |instance| {
                     let references = slice(value_references, n_value_references, "valueReferences")?;
                     let values = slice_mut(values, n_values, "values")?;
-                    each_scalar::<M>(references, n_values, |place, block, index| {
+                    each_scalar::<M>(references, Some(n_values), |place, block, index| {
                         let Value::$variant(value) = instance.get(block, index)? else {
                             return Err(wrong_type::<M>(block, index, stringify!($get)));
                         };
@@ -85,7 +81,7 @@ macro_rules! accessors {
                 call::<M>(instance, Call::Set, stringify!($set), |instance| {
                     let references = slice(value_references, n_value_references, "valueReferences")?;
                     let values = slice(values, n_values, "values")?;
-                    each_scalar::<M>(references, n_values, |place, block, index| {
+                    each_scalar::<M>(references, Some(n_values), |place, block, index| {
                         instance.set(block, index, Value::$variant($to_value(values[place])))
                     })
                 })
@@ -114,7 +110,7 @@ pub unsafe fn fmi3GetString<M: Model>(
             let references = slice(value_references, n_value_references, "valueReferences")?;
             let values = slice_mut(values, n_values, "values")?;
             instance.returned.clear();
-            each_scalar::<M>(references, n_values, |_, block, index| {
+            each_scalar::<M>(references, Some(n_values), |_, block, index| {
                 let Value::Text(text) = instance.get(block, index)? else {
                     return Err(wrong_type::<M>(block, index, "fmi3GetString"));
                 };
@@ -143,7 +139,7 @@ pub unsafe fn fmi3SetString<M: Model>(
         call::<M>(instance, Call::Set, "fmi3SetString", |instance| {
             let references = slice(value_references, n_value_references, "valueReferences")?;
             let values = slice(values, n_values, "values")?;
-            each_scalar::<M>(references, n_values, |place, block, index| {
+            each_scalar::<M>(references, Some(n_values), |place, block, index| {
                 let value = text(values[place]).ok_or_else(|| Refusal::error("a text to set is NULL"))?;
                 instance.set(block, index, Value::Text(&value))
             })

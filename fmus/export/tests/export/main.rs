@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod ball;
+mod derivatives;
 mod description;
 mod events;
 mod host;

@@ -1,0 +1,30 @@
+//! Directional derivatives in FMI 2.0.
+
+use swayless_abi::fmi2::*;
+
+use crate::model::Model;
+use crate::phase::Call;
+use crate::raw::{call, slice, slice_mut};
+
+/// See [`fmi2GetTypesPlatform`](super::fmi2GetTypesPlatform).
+pub unsafe fn fmi2GetDirectionalDerivative<M: Model>(
+    c: Component,
+    unknowns: *const ValueReference,
+    n_unknown: usize,
+    knowns: *const ValueReference,
+    n_known: usize,
+    seed: *const Real,
+    sensitivity: *mut Real,
+) -> Status {
+    // SAFETY: the instance and the arrays are the importer's, as the standard specifies.
+    unsafe {
+        call::<M>(c, Call::GetDerivative, "fmi2GetDirectionalDerivative", |instance| {
+            let numbers = |references: &[ValueReference]| references.iter().map(|r| *r as usize).collect::<Vec<_>>();
+            let unknowns = numbers(slice(unknowns, n_unknown, "vUnknown_ref")?);
+            let knowns = numbers(slice(knowns, n_known, "vKnown_ref")?);
+            let seed = slice(seed, n_known, "dvKnown")?;
+            let sensitivity = slice_mut(sensitivity, n_unknown, "dvUnknown")?;
+            instance.directional(&unknowns, &knowns, seed, sensitivity)
+        })
+    }
+}

@@ -1,0 +1,54 @@
+//! Directional and adjoint derivatives in FMI 3.0.
+
+use swayless_abi::fmi3::*;
+
+use super::values::each_scalar;
+use crate::instance::{Instance as Runtime, Refusal};
+use crate::layout::Layout;
+use crate::model::Model;
+use crate::phase::Call;
+use crate::raw::{call, slice, slice_mut};
+
+/// The numbers of the scalars of variables, arrays being as many as they have elements.
+fn numbers<M: Model>(references: &[ValueReference]) -> Result<Vec<usize>, Refusal> {
+    let mut numbers = Vec::new();
+    each_scalar::<M>(references, None, |_, block, index| {
+        numbers.push(Layout::<M>::first(block) + index);
+        Ok(())
+    })?;
+    Ok(numbers)
+}
+
+macro_rules! derivatives {
+    ($($name:ident, $method:ident;)*) => { $(
+        /// See [`fmi3GetVersion`](super::fmi3GetVersion).
+        #[allow(clippy::too_many_arguments, reason = "the signature is the standard's")]
+        pub unsafe fn $name<M: Model>(
+            instance: Instance,
+            unknowns: *const ValueReference,
+            n_unknowns: usize,
+            knowns: *const ValueReference,
+            n_knowns: usize,
+            seed: *const Float64,
+            n_seed: usize,
+            sensitivity: *mut Float64,
+            n_sensitivity: usize,
+        ) -> Status {
+            // SAFETY: the instance and the arrays are the importer's, as the standard specifies.
+            unsafe {
+                call::<M>(instance, Call::GetDerivative, stringify!($name), |instance| {
+                    let unknowns = numbers::<M>(slice(unknowns, n_unknowns, "unknowns")?)?;
+                    let knowns = numbers::<M>(slice(knowns, n_knowns, "knowns")?)?;
+                    let seed = slice(seed, n_seed, "seed")?;
+                    let sensitivity = slice_mut(sensitivity, n_sensitivity, "sensitivity")?;
+                    Runtime::$method(instance, &unknowns, &knowns, seed, sensitivity)
+                })
+            }
+        }
+    )* };
+}
+
+derivatives! {
+    fmi3GetDirectionalDerivative, directional;
+    fmi3GetAdjointDerivative, adjoint;
+}
