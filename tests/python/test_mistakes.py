@@ -43,11 +43,16 @@ def test_no_step_after_terminate(fmu):
 @pytest.mark.parametrize("bad", OUT_OF_RANGE)
 def test_a_step_with_an_infinite_input_is_discarded_and_can_be_repeated(fmu, bad):
     """Discard, a message that names the input, and an instance as if nothing had happened."""
+    # FMPy keeps one logger for all instances of FMI 2.0, so there is one instance at a time.
+    with Instance(fmu, "CoSimulation") as unharmed:
+        unharmed.initialize(fmu.with_files({}), {})
+        unharmed.api.doStep(0.0, 0.5)
+        unharmed.api.doStep(0.5, 0.5)
+        wanted = unharmed.get(fmu.observed())
     for v in (v for v in fmu.inputs if v.type in FLOATS and not v.shape):
-        with Instance(fmu, "CoSimulation", logging=True) as instance, Instance(fmu, "CoSimulation") as unharmed:
-            for one in (instance, unharmed):
-                one.initialize(fmu.with_files({}), {})
-                one.api.doStep(0.0, 0.5)
+        with Instance(fmu, "CoSimulation", logging=True) as instance:
+            instance.initialize(fmu.with_files({}), {})
+            instance.api.doStep(0.0, 0.5)
             instance.set({v.name: bad})
             assert status(instance.api.doStep, 0.5, 0.5) == DISCARD
             assert v.name in texts(instance)
@@ -55,10 +60,9 @@ def test_a_step_with_an_infinite_input_is_discarded_and_can_be_repeated(fmu, bad
                 time = ctypes.c_double()
                 instance.api.fmi2GetRealStatus(instance.api.component, 2, ctypes.byref(time))
                 assert time.value == 0.5
-            for one in (instance, unharmed):
-                one.set({v.name: float(v.start or 0.0)})
-                one.api.doStep(0.5, 0.5)
-            assert instance.get(fmu.observed()) == unharmed.get(fmu.observed()), v.name
+            instance.set({v.name: float(v.start or 0.0)})
+            instance.api.doStep(0.5, 0.5)
+            assert instance.get(fmu.observed()) == wanted, v.name
 
 
 def test_derivatives_with_an_infinite_input_are_discarded(fmu):

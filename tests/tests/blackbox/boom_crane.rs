@@ -145,7 +145,9 @@ fn an_even_motion_of_the_base_changes_nothing() {
         moving.step();
         resting.step();
         let along = SPEED * moving.time();
-        for (name, offset) in [("payload.x", along), ("payload.z", 0.0), ("swing.radial", 0.0), ("swing.amplitude", 0.0)] {
+        for (name, offset) in
+            [("payload.x", along), ("payload.z", 0.0), ("swing.radial", 0.0), ("swing.amplitude", 0.0)]
+        {
             let (a, b) = (moving.get(name), resting.get(name) + offset);
             assert!((a - b).abs() < 1e-8, "{name} at {} s: {a} and {b}", moving.time());
         }

@@ -15,7 +15,8 @@ fn gives(values: &[(&str, Set<'_>)], wanted: impl Fn(f64) -> f64) {
 }
 
 fn shaped<'a>(kind: &'a str, more: &[(&'a str, Set<'a>)]) -> Vec<(&'a str, Set<'a>)> {
-    let common = [("kind", kind.into()), ("amplitude", 0.7.into()), ("start_time", 1.5.into()), ("duration", 2.25.into())];
+    let common =
+        [("kind", kind.into()), ("amplitude", 0.7.into()), ("start_time", 1.5.into()), ("duration", 2.25.into())];
     common.into_iter().chain(more.iter().copied()).collect()
 }
 

@@ -98,8 +98,7 @@ fn unsafe_code_stays_in_its_rooms() {
     let attribute = format!("{word}(");
     let marked = |line: &str| marks.iter().any(|mark| line.contains(mark)) || line.contains(&attribute);
     let files = files("rs");
-    let outside =
-        lines(&files, |path, line| marked(line) && !UNSAFE_ROOMS.iter().any(|room| path.starts_with(room)));
+    let outside = lines(&files, |path, line| marked(line) && !UNSAFE_ROOMS.iter().any(|room| path.starts_with(room)));
     assert!(outside.is_empty(), "{outside:#?}");
     // The search does find it where it is.
     assert!(lines(&files, |path, line| marked(line) && path.starts_with("fmus/export/src/raw.rs")).len() > 5);
@@ -128,7 +127,8 @@ fn dependencies_point_one_way() {
         if !path.ends_with("Cargo.toml") || path == "Cargo.toml" {
             continue;
         }
-        let sections = text.split("\n[").filter(|s| s.starts_with("dependencies]") || s.starts_with("dev-dependencies]"));
+        let sections =
+            text.split("\n[").filter(|s| s.starts_with("dependencies]") || s.starts_with("dev-dependencies]"));
         let names = sections.flat_map(str::lines).filter_map(|line| line.split([' ', '.', '=']).next());
         let ours: Vec<&str> = names.filter(|name| name.starts_with("swayless")).collect();
         assert!(ours.iter().all(|name| allowed(&path).contains(name)), "{path} depends on {ours:?}");

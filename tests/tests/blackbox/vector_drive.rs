@@ -51,9 +51,10 @@ fn steps_rise_and_settle_as_the_reference() {
         let outside = velocities.iter().rposition(|v| (v - command).abs() > 0.02 * command).expect("a response");
         close(passes(&velocities, 0.1 * command), name, "t10", GRID);
         close(passes(&velocities, 0.9 * command), name, "t90", GRID);
-        // Between two points of the reference's grid; the closed form below is exact.
+        // The reference's overshoot is 2e-5 below the closed form, which is held below to 1e-8; where the response
+        // slowly comes back to 2 %, that much is almost a millisecond.
         close(peak / command - 1.0, name, "overshoot", 5e-5);
-        close((outside + 1) as f64 * STEP, name, "settle2%", GRID);
+        close((outside + 1) as f64 * STEP, name, "settle2%", 1e-3);
     }
 }
 
@@ -68,13 +69,16 @@ fn a_step_is_the_closed_form() {
         let late = 2.0 * zeta / omega;
         if t < 0.0 { 0.0 } else { t - late + decay * (late * cos + (2.0 * zeta * zeta - 1.0) / damped * sin) }
     };
-    let mut drive = Instance::started("VectorDrive", 0.01, &[]);
-    drive.set("command", LIMIT).expect("a command");
-    for _ in 0..600 {
-        drive.step();
-        let wanted = acceleration * (ramp(drive.time()) - ramp(drive.time() - LIMIT / acceleration));
-        let found = drive.get("velocity");
-        assert!((found - wanted).abs() < 1e-8, "at {} s: {found}, closed form {wanted}", drive.time());
+    for command in [LIMIT, -0.5 * LIMIT] {
+        let mut drive = Instance::started("VectorDrive", 0.01, &[]);
+        drive.set("command", command).expect("a command");
+        for _ in 0..600 {
+            drive.step();
+            let t = drive.time();
+            let wanted = acceleration * command.signum() * (ramp(t) - ramp(t - command.abs() / acceleration));
+            let found = drive.get("velocity");
+            assert!((found - wanted).abs() < 1e-8, "at {t} s: {found}, closed form {wanted}");
+        }
     }
 }
 
