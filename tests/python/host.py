@@ -64,11 +64,17 @@ def elements(variable):
 class Instance:
     """An instance of an FMU; `kind` is "CoSimulation" or "ModelExchange"."""
 
-    def __init__(self, fmu, kind, logging=False):
+    def __init__(self, fmu, kind, logging=False, event_mode=False):
         self.fmu = fmu
         self.messages = []
         self.api = fmpy.instantiate_fmu(
-            fmu.folder, fmu.description, kind, debug_logging=logging, logger=self._log()
+            fmu.folder,
+            fmu.description,
+            kind,
+            debug_logging=logging,
+            logger=self._log(),
+            event_mode_used=event_mode,
+            early_return_allowed=event_mode,
         )
         self.next_event = None
 

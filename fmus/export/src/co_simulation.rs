@@ -11,6 +11,15 @@ const MOST_EVENTS: usize = 100_000;
 /// How far the importer's time may lie from the instance's, relative to it.
 const SAME_TIME: f64 = 1e-9;
 
+/// How a step ended that did not fail.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct StepEnd {
+    /// There is an event at its end, for the importer to handle in Event Mode.
+    pub event: bool,
+    /// It ended before the next communication point.
+    pub early: bool,
+}
+
 impl<M: Model> Instance<M> {
     /// Makes the room that steps need.
     pub(crate) fn prepare_steps(&mut self) {
@@ -18,7 +27,7 @@ impl<M: Model> Instance<M> {
     }
 
     /// Steps from `current` to `current + step`. On a refusal nothing has changed.
-    pub fn do_step(&mut self, current: f64, step: f64) -> Result<(), Refusal> {
+    pub fn do_step(&mut self, current: f64, step: f64) -> Result<StepEnd, Refusal> {
         if !(step > 0.0 && step.is_finite()) {
             return Err(Refusal::error(format!("communicationStepSize is {step} s; it must be positive")));
         }
@@ -46,7 +55,7 @@ impl<M: Model> Instance<M> {
         done
     }
 
-    fn run_to(&mut self, end: f64) -> Result<(), Refusal> {
+    fn run_to(&mut self, end: f64) -> Result<StepEnd, Refusal> {
         let mut events = 0;
         // What the importer has set since the last step is an event, whether or not it knows of event modes.
         if self.disturbed || self.next_event.is_some_and(|due| due <= self.t) {
@@ -57,6 +66,12 @@ impl<M: Model> Instance<M> {
             let due = self.next_event.filter(|due| is_due(*due, end));
             let crossed = self.advance(due.map_or(end, |due| due.min(end)))?;
             if crossed || due.is_some_and(|due| is_due(due, self.t)) {
+                let early = self.t < end;
+                if self.event_mode.used && (!early || self.event_mode.early_return) {
+                    // Should the importer not enter Event Mode, the next step begins with the event.
+                    self.disturbed = true;
+                    return Ok(StepEnd { event: true, early });
+                }
                 self.step_event()?;
                 events += 1;
                 if events > MOST_EVENTS {
@@ -64,7 +79,7 @@ impl<M: Model> Instance<M> {
                 }
             }
         }
-        Ok(())
+        Ok(StepEnd::default())
     }
 
     /// Integrates to `target` or to the first state event before it. Returns whether an event was found.

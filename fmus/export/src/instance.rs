@@ -44,10 +44,21 @@ impl Refusal {
     }
 }
 
+/// How an importer of co-simulation deals with events (FMI 3.0.2, 4.1.3).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct EventMode {
+    /// `eventModeUsed`.
+    pub used: bool,
+    /// `earlyReturnAllowed`.
+    pub early_return: bool,
+}
+
 /// An instance of a model.
 pub struct Instance<M: Model> {
     pub(crate) interface: Interface,
     pub(crate) phase: Phase,
+    /// Co-simulation with Event Mode: whether it is used, and whether a step may end at an event.
+    pub(crate) event_mode: EventMode,
     pub(crate) name: String,
     pub(crate) log: Log,
     resources: Option<PathBuf>,
@@ -87,6 +98,7 @@ impl<M: Model> Instance<M> {
         Self {
             interface,
             phase: Phase::Instantiated,
+            event_mode: EventMode::default(),
             name: name.to_string(),
             log,
             resources,
@@ -174,12 +186,10 @@ impl<M: Model> Instance<M> {
         }
         self.initialize()?;
         self.disturbed = false;
+        self.prepare_steps();
         self.phase = match self.interface {
-            Interface::ModelExchange => Phase::Event,
-            Interface::CoSimulation => {
-                self.prepare_steps();
-                Phase::Step
-            }
+            Interface::CoSimulation if !self.event_mode.used => Phase::Step,
+            _ => Phase::Event,
         };
         Ok(())
     }

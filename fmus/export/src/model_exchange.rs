@@ -1,9 +1,9 @@
-//! Model exchange: the importer integrates and says when events are.
+//! Model exchange: the importer integrates and says when events are; and Event Mode, which co-simulation can have too.
 
 use crate::instance::{Instance, Refusal};
 use crate::layout::{Block, Layout};
 use crate::model::Model;
-use crate::phase::Phase;
+use crate::phase::{Interface, Phase};
 use crate::variables::Variables;
 
 /// What an event has changed.
@@ -78,6 +78,7 @@ impl<M: Model> Instance<M> {
     pub fn update_discrete_states(&mut self) -> Result<EventOutcome, Refusal> {
         self.check_inputs()?;
         let states_changed = self.event(false)?;
+        self.disturbed = false;
         Ok(EventOutcome { states_changed, next_event: self.next_event })
     }
 
@@ -87,8 +88,17 @@ impl<M: Model> Instance<M> {
     }
 
     /// To Event Mode.
-    pub fn enter_event(&mut self) {
+    pub fn enter_event(&mut self) -> Result<(), Refusal> {
+        if self.interface == Interface::CoSimulation && !self.event_mode.used {
+            return Err(Refusal::error("Event Mode is not used: the instance was made with eventModeUsed = false"));
+        }
         self.phase = Phase::Event;
+        Ok(())
+    }
+
+    /// To Step Mode.
+    pub fn enter_step(&mut self) {
+        self.phase = Phase::Step;
     }
 
     fn count(&self, given: usize, wanted: usize, what: &str) -> Result<(), Refusal> {

@@ -18,7 +18,7 @@ pub enum Phase {
     Instantiated = 1,
     /// Initialization Mode.
     Initialization = 2,
-    /// Event Mode of model exchange.
+    /// Event Mode, in co-simulation where the importer uses it.
     Event = 4,
     /// Continuous-Time Mode of model exchange.
     ContinuousTime = 8,
@@ -72,6 +72,8 @@ pub enum Call {
     GetCounts,
     State,
     GetDerivative,
+    GetOutputDerivatives,
+    EnterStepMode,
     /// A function behind a capability that is not offered: refused in every phase.
     NotOffered,
 }
@@ -95,8 +97,11 @@ impl Call {
             Self::Set => (INSTANTIATED | INITIALIZATION | RUNNING, None),
             Self::DoStep => (STEP, Some(CoSimulation)),
             Self::GetStatus => (STEP | Phase::Terminated as u8 | Phase::Failed as u8, Some(CoSimulation)),
-            Self::EnterEventMode => (CONTINUOUS, Some(ModelExchange)),
-            Self::NewDiscreteStates | Self::EnterContinuousTimeMode => (EVENT, Some(ModelExchange)),
+            Self::EnterEventMode => (CONTINUOUS | STEP, None),
+            Self::NewDiscreteStates => (EVENT, None),
+            Self::EnterContinuousTimeMode => (EVENT, Some(ModelExchange)),
+            Self::EnterStepMode => (EVENT, Some(CoSimulation)),
+            Self::GetOutputDerivatives => (STEP | Phase::Terminated as u8 | Phase::Failed as u8, Some(CoSimulation)),
             Self::CompletedIntegratorStep | Self::SetContinuousStates => (CONTINUOUS, Some(ModelExchange)),
             Self::SetTime => (EVENT | CONTINUOUS, Some(ModelExchange)),
             Self::GetDerivatives | Self::GetEventIndicators | Self::GetContinuousStates | Self::GetNominals => {

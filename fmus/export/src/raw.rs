@@ -65,6 +65,14 @@ pub unsafe fn text<'a>(pointer: *const c_char) -> Option<Cow<'a, str>> {
     Some(unsafe { CStr::from_ptr(pointer) }.to_string_lossy())
 }
 
+/// Refuses derivatives of another order than the first.
+pub fn first_order(orders: &[i32]) -> Result<(), Refusal> {
+    match orders.iter().find(|order| **order != 1) {
+        Some(order) => Err(Refusal::error(format!("there is no derivative of order {order}, only of order 1"))),
+        None => Ok(()),
+    }
+}
+
 /// A text for C: what cannot stand in it is left out, and `#`, which begins a variable's reference, is doubled.
 pub fn message(text: &str) -> CString {
     let clean: String = text.chars().filter(|c| *c != '\0').collect();

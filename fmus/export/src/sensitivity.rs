@@ -58,6 +58,36 @@ impl<M: Model> Instance<M> {
         Ok(())
     }
 
+    /// The time derivatives of outputs, with the inputs held.
+    pub fn output_derivatives(&mut self, outputs: &[usize], values: &mut [f64]) -> Result<(), Refusal> {
+        same_length("values", values.len(), "outputs", outputs.len())?;
+        for output in outputs {
+            let (block, index) = place::<M>(*output)?;
+            // A discrete number does not change between events.
+            let real = match block {
+                Block::Discrete => matches!(self.d.get(index), Value::Real(_)),
+                other => matches!(other, Block::States | Block::Outputs),
+            };
+            if !real {
+                return Err(unusable::<M>(block, index, "unknown", "a real output"));
+            }
+        }
+        self.refresh_derivatives()?;
+        let states = Layout::<M>::STATES..Layout::<M>::DERIVATIVES;
+        let tangents = self.tangents(|number| match number {
+            0 => 1.0,
+            state if states.contains(&state) => match self.dx.get(state - states.start) {
+                Value::Real(rate) => rate,
+                _ => 0.0,
+            },
+            _ => 0.0,
+        })?;
+        for (place, output) in values.iter_mut().zip(outputs) {
+            *place = tangents.of(*output);
+        }
+        Ok(())
+    }
+
     fn prepare_derivative(&mut self, unknowns: &[usize], knowns: &[usize]) -> Result<(), Refusal> {
         self.ready()?;
         self.check_inputs()?;

@@ -41,7 +41,13 @@ pub fn of<M: Model>(version: FmiVersion) -> ModelDescription {
         // Left out, so that equal sources give equal bytes.
         generation_date_and_time: None,
         variable_naming_convention: NamingConvention::Structured,
-        co_simulation: Some(Interface { can_handle_variable_communication_step_size: true, ..interface.clone() }),
+        co_simulation: Some(Interface {
+            can_handle_variable_communication_step_size: true,
+            max_output_derivative_order: 1,
+            has_event_mode: version == FmiVersion::V3,
+            might_return_early_from_do_step: version == FmiVersion::V3,
+            ..interface.clone()
+        }),
         model_exchange: Some(interface),
         scheduled_execution: None,
         type_definitions: definitions::types::<M>(&units),

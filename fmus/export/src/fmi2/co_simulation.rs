@@ -17,7 +17,7 @@ pub unsafe fn fmi2DoStep<M: Model>(
     // SAFETY: the importer's instance.
     unsafe {
         call::<M>(c, Call::DoStep, "fmi2DoStep", |instance| {
-            instance.do_step(current_communication_point, communication_step_size)
+            instance.do_step(current_communication_point, communication_step_size).map(|_| ())
         })
     }
 }

@@ -1,10 +1,10 @@
-//! Directional derivatives in FMI 2.0.
+//! Directional derivatives, and derivatives of outputs over time, in FMI 2.0.
 
 use swayless_abi::fmi2::*;
 
 use crate::model::Model;
 use crate::phase::Call;
-use crate::raw::{call, slice, slice_mut};
+use crate::raw::{call, first_order, slice, slice_mut};
 
 /// See [`fmi2GetTypesPlatform`](super::fmi2GetTypesPlatform).
 pub unsafe fn fmi2GetDirectionalDerivative<M: Model>(
@@ -25,6 +25,24 @@ pub unsafe fn fmi2GetDirectionalDerivative<M: Model>(
             let seed = slice(seed, n_known, "dvKnown")?;
             let sensitivity = slice_mut(sensitivity, n_unknown, "dvUnknown")?;
             instance.directional(&unknowns, &knowns, seed, sensitivity)
+        })
+    }
+}
+
+/// See [`fmi2GetTypesPlatform`](super::fmi2GetTypesPlatform).
+pub unsafe fn fmi2GetRealOutputDerivatives<M: Model>(
+    c: Component,
+    vr: *const ValueReference,
+    nvr: usize,
+    order: *const Integer,
+    value: *mut Real,
+) -> Status {
+    // SAFETY: the instance and the arrays are the importer's, as the standard specifies.
+    unsafe {
+        call::<M>(c, Call::GetOutputDerivatives, "fmi2GetRealOutputDerivatives", |instance| {
+            first_order(slice(order, nvr, "order")?)?;
+            let outputs: Vec<_> = slice(vr, nvr, "vr")?.iter().map(|reference| *reference as usize).collect();
+            instance.output_derivatives(&outputs, slice_mut(value, nvr, "value")?)
         })
     }
 }

@@ -10,12 +10,7 @@ use crate::raw::{call, put, slice, slice_mut};
 /// See [`fmi2GetTypesPlatform`](super::fmi2GetTypesPlatform).
 pub unsafe fn fmi2EnterEventMode<M: Model>(c: Component) -> Status {
     // SAFETY: the importer's instance.
-    unsafe {
-        call::<M>(c, Call::EnterEventMode, "fmi2EnterEventMode", |instance| {
-            instance.enter_event();
-            Ok(())
-        })
-    }
+    unsafe { call::<M>(c, Call::EnterEventMode, "fmi2EnterEventMode", |instance| instance.enter_event()) }
 }
 
 /// See [`fmi2GetTypesPlatform`](super::fmi2GetTypesPlatform).

@@ -19,6 +19,5 @@ macro_rules! not_offered {
 
 not_offered! {
     fmi2SetRealInputDerivatives(*const ValueReference, usize, *const Integer, *const Real);
-    fmi2GetRealOutputDerivatives(*const ValueReference, usize, *const Integer, *mut Real);
     fmi2CancelStep();
 }

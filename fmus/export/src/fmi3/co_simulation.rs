@@ -22,11 +22,23 @@ pub unsafe fn fmi3DoStep<M: Model>(
     unsafe {
         call::<M>(instance, Call::DoStep, "fmi3DoStep", |instance| {
             let done = instance.do_step(current_communication_point, communication_step_size);
-            put(event_handling_needed, 0);
+            let end = done.as_ref().ok();
+            put(event_handling_needed, end.is_some_and(|end| end.event).into());
             put(terminate_simulation, 0);
-            put(early_return, 0);
+            put(early_return, end.is_some_and(|end| end.early).into());
             put(last_successful_time, instance.t);
-            done
+            done.map(|_| ())
+        })
+    }
+}
+
+/// See [`fmi3GetVersion`](super::fmi3GetVersion).
+pub unsafe fn fmi3EnterStepMode<M: Model>(instance: Instance) -> Status {
+    // SAFETY: the importer's instance.
+    unsafe {
+        call::<M>(instance, Call::EnterStepMode, "fmi3EnterStepMode", |instance| {
+            instance.enter_step();
+            Ok(())
         })
     }
 }

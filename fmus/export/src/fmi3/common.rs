@@ -6,6 +6,7 @@ use swayless_abi::fmi3::*;
 
 use super::callbacks::log;
 use crate::fmi2::unknown_category;
+use crate::instance::{EventMode, Instance as Runtime};
 use crate::model::Model;
 use crate::phase::{Call, Interface, Phase};
 use crate::raw::{call, free, instantiate, no_such_interface, slice, text};
@@ -59,7 +60,7 @@ pub unsafe fn fmi3InstantiateCoSimulation<M: Model>(
     _visible: Boolean,
     logging_on: Boolean,
     event_mode_used: Boolean,
-    _early_return_allowed: Boolean,
+    early_return_allowed: Boolean,
     _required_intermediate_variables: *const ValueReference,
     _n_required_intermediate_variables: usize,
     instance_environment: InstanceEnvironment,
@@ -69,11 +70,14 @@ pub unsafe fn fmi3InstantiateCoSimulation<M: Model>(
     let log = log(log_message, instance_environment, logging_on != 0);
     // SAFETY: texts are the importer's, as the standard specifies; they are copied.
     let (name, token, path) = unsafe { (text(instance_name), text(instantiation_token), text(resource_path)) };
-    if event_mode_used != 0 {
-        return no_such_interface(name.as_deref(), &log, "event mode in co-simulation (eventModeUsed must be false)");
-    }
     let resources = path.and_then(|path| uri::folder(&path));
-    instantiate::<M>(Interface::CoSimulation, name.as_deref(), token.as_deref(), log, resources)
+    let made = instantiate::<M>(Interface::CoSimulation, name.as_deref(), token.as_deref(), log, resources);
+    if !made.is_null() {
+        // SAFETY: not NULL, so the instance that has just been made, which nobody else knows yet.
+        let instance = unsafe { &mut *made.cast::<Runtime<M>>() };
+        instance.event_mode = EventMode { used: event_mode_used != 0, early_return: early_return_allowed != 0 };
+    }
+    made
 }
 
 /// See [`fmi3GetVersion`].

@@ -1,4 +1,4 @@
-//! Directional and adjoint derivatives in FMI 3.0.
+//! Directional and adjoint derivatives, and derivatives of outputs over time, in FMI 3.0.
 
 use swayless_abi::fmi3::*;
 
@@ -7,7 +7,7 @@ use crate::instance::{Instance as Runtime, Refusal};
 use crate::layout::Layout;
 use crate::model::Model;
 use crate::phase::Call;
-use crate::raw::{call, slice, slice_mut};
+use crate::raw::{call, first_order, slice, slice_mut};
 
 /// The numbers of the scalars of variables, arrays being as many as they have elements.
 fn numbers<M: Model>(references: &[ValueReference]) -> Result<Vec<usize>, Refusal> {
@@ -51,4 +51,23 @@ macro_rules! derivatives {
 derivatives! {
     fmi3GetDirectionalDerivative, directional;
     fmi3GetAdjointDerivative, adjoint;
+}
+
+/// See [`fmi3GetVersion`](super::fmi3GetVersion).
+pub unsafe fn fmi3GetOutputDerivatives<M: Model>(
+    instance: Instance,
+    value_references: *const ValueReference,
+    n_value_references: usize,
+    orders: *const Int32,
+    values: *mut Float64,
+    n_values: usize,
+) -> Status {
+    // SAFETY: the instance and the arrays are the importer's, as the standard specifies.
+    unsafe {
+        call::<M>(instance, Call::GetOutputDerivatives, "fmi3GetOutputDerivatives", |instance| {
+            first_order(slice(orders, n_value_references, "orders")?)?;
+            let outputs = numbers::<M>(slice(value_references, n_value_references, "valueReferences")?)?;
+            instance.output_derivatives(&outputs, slice_mut(values, n_values, "values")?)
+        })
+    }
 }

@@ -10,12 +10,7 @@ use crate::raw::{call, put, slice, slice_mut};
 /// See [`fmi3GetVersion`](super::fmi3GetVersion).
 pub unsafe fn fmi3EnterEventMode<M: Model>(instance: Instance) -> Status {
     // SAFETY: the importer's instance.
-    unsafe {
-        call::<M>(instance, Call::EnterEventMode, "fmi3EnterEventMode", |instance| {
-            instance.enter_event();
-            Ok(())
-        })
-    }
+    unsafe { call::<M>(instance, Call::EnterEventMode, "fmi3EnterEventMode", |instance| instance.enter_event()) }
 }
 
 /// See [`fmi3GetVersion`](super::fmi3GetVersion).

@@ -27,8 +27,6 @@ not_offered! {
     fmi3EnterConfigurationMode();
     fmi3ExitConfigurationMode();
     fmi3EvaluateDiscreteStates();
-    fmi3EnterStepMode();
-    fmi3GetOutputDerivatives(*const ValueReference, usize, *const Int32, *mut Float64, usize);
     fmi3ActivateModelPartition(ValueReference, Float64);
 }
 

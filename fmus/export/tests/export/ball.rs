@@ -126,7 +126,8 @@ impl Model for Ball {
     }
 
     fn indicators(at: &Point<'_, Self, f64>) -> [f64; 1] {
-        [if at.d.lies { 1.0 } else { at.x.height - at.d.surface }]
+        // Positive as soon as the ball goes up again, so that leaving the ground is no event.
+        [if at.d.lies { 1.0 } else { (at.x.height - at.d.surface).max(at.x.velocity) }]
     }
 
     fn event(at: &mut Event<'_, Self>) -> Option<f64> {

@@ -106,3 +106,23 @@ fn fmi2_gives_the_same() {
         unsafe { fmi2::fmi2GetDirectionalDerivative::<Ball>(ball.instance, &energy, 1, &height, 1, &2.0, &mut found) };
     assert_eq!((status, found), (abi2::OK, 20.0));
 }
+
+#[test]
+fn output_derivatives_are_those_over_time() {
+    let ball = falling();
+    assert_eq!((ball.set("push", 4.0), ball.step(0.0, 0.25)), (OK, OK));
+    let names = ["height", "clearance", "energy", "acceleration"];
+    let references = names.map(|name| ball.reference(name));
+    let mut found = [f64::NAN; 4];
+    let read = fmi3::fmi3GetOutputDerivatives::<Ball>;
+    // SAFETY: an instance, and arrays of the sizes announced.
+    unsafe {
+        assert_eq!(read(ball.instance, references.as_ptr(), 4, [1; 4].as_ptr(), found.as_mut_ptr(), 4), OK);
+        let velocity = ball.get("velocity");
+        assert!((velocity + 2.0 + 6.0 * 0.25).abs() < 1e-13);
+        // d(½v² + gh)/dt = v (v̇ + g), the power of the push.
+        assert_eq!(found[..2], [velocity, velocity]);
+        assert!((found[2] - 4.0 * velocity).abs() < 1e-12 && found[3] == 0.0, "{found:?}");
+        assert_eq!(read(ball.instance, references.as_ptr(), 4, [2; 4].as_ptr(), found.as_mut_ptr(), 4), ERROR);
+    }
+}

@@ -43,15 +43,21 @@ pub fn describe(item: &CStr) -> Option<String> {
 impl Host {
     /// An instance for co-simulation.
     pub fn co_simulation() -> Self {
-        Self::new(true)
+        Self::new(Some((false, false)))
+    }
+
+    /// An instance for co-simulation whose events the host handles; with or without early return.
+    pub fn with_event_mode(early_return: bool) -> Self {
+        Self::new(Some((true, early_return)))
     }
 
     /// An instance for model exchange.
     pub fn model_exchange() -> Self {
-        Self::new(false)
+        Self::new(None)
     }
 
-    fn new(co_simulation: bool) -> Self {
+    /// Co-simulation with `eventModeUsed` and `earlyReturnAllowed`, or model exchange.
+    fn new(co_simulation: Option<(bool, bool)>) -> Self {
         let (description, problems) = swayless_modeldesc::read::read(&describe(describe::FMI3).unwrap()).unwrap();
         assert_eq!(problems, Vec::new());
         let token = CString::new(description.instantiation_token.clone()).unwrap();
@@ -59,15 +65,15 @@ impl Host {
         let environment: *mut c_void = (&raw mut *log_of_host).cast();
         // SAFETY: texts and the log live long enough.
         let instance = unsafe {
-            if co_simulation {
+            if let Some((event_mode, early_return)) = co_simulation {
                 fmi3::fmi3InstantiateCoSimulation::<Ball>(
                     c"ball".as_ptr(),
                     token.as_ptr(),
                     null_mut(),
                     0,
                     1,
-                    0,
-                    0,
+                    event_mode.into(),
+                    early_return.into(),
                     null_mut(),
                     0,
                     environment,
@@ -141,16 +147,50 @@ impl Host {
         assert_eq!(self.exit_initialization(), abi::OK, "{:?}", self.log);
     }
 
+    /// A step that nothing cuts short.
     pub fn step(&self, t: f64, h: f64) -> i32 {
+        let (status, event, early, last) = self.step_to_event(t, h);
+        if status == abi::OK {
+            assert_eq!((event, early, last), (false, false, t + h));
+        }
+        status
+    }
+
+    /// A step: its status, whether there is an event at its end, whether it ended early, and where.
+    pub fn step_to_event(&self, t: f64, h: f64) -> (i32, bool, bool, f64) {
         let (mut events, mut terminate, mut early, mut last) = (9, 9, 9, f64::NAN);
         // SAFETY: an instance and places for the answers.
         let status = unsafe {
             fmi3::fmi3DoStep::<Ball>(self.instance, t, h, 0, &mut events, &mut terminate, &mut early, &mut last)
         };
-        if status == abi::OK {
-            assert_eq!((events, terminate, early, last), (0, 0, 0, t + h));
+        assert!(events <= 1 && early <= 1 && terminate == 0 || status != abi::OK);
+        (status, events == 1, early == 1, last)
+    }
+
+    /// Through Event Mode, back to Step Mode. Returns the time of the next event.
+    pub fn handle_event(&self, enter: bool) -> Option<f64> {
+        let mut flags = [9; 5];
+        let mut next = f64::NAN;
+        // SAFETY: an instance and places for the answers.
+        unsafe {
+            if enter {
+                assert_eq!(fmi3::fmi3EnterEventMode::<Ball>(self.instance), abi::OK, "{:?}", self.log);
+            }
+            let [again, terminate, nominals, _states, defined] = &mut flags;
+            let mut states = 9;
+            let status = fmi3::fmi3UpdateDiscreteStates::<Ball>(
+                self.instance,
+                again,
+                terminate,
+                nominals,
+                &mut states,
+                defined,
+                &mut next,
+            );
+            assert_eq!((status, *again, *terminate, *nominals), (abi::OK, 0, 0, 0));
+            assert_eq!(fmi3::fmi3EnterStepMode::<Ball>(self.instance), abi::OK);
         }
-        status
+        (flags[4] == 1).then_some(next)
     }
 
     pub fn reset(&self) -> i32 {
