@@ -5,11 +5,12 @@ use std::path::{Path, PathBuf};
 use crate::packaged::repository;
 
 /// Where `unsafe` may stand: the C types, the functions of the standard, the loaders of libraries.
-const UNSAFE_ROOMS: [&str; 11] = [
+const UNSAFE_ROOMS: [&str; 12] = [
     "fmus/abi/src/",
     "fmus/export/src/fmi2/",
     "fmus/export/src/fmi3/",
     "fmus/export/src/raw.rs",
+    "fmus/export/src/raw_state.rs",
     "fmus/export/src/describe.rs",
     "fmus/export/src/symbols.rs",
     // They call the functions as an importer does.
