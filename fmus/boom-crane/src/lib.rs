@@ -1,6 +1,6 @@
 //! `BoomCrane`: a mobile boom crane with a suspended payload, driven by rates (thesis 2.1).
 
-use swayless_export::{Environment, Event, Info, Model, Point, Problem, Scalar, Variables, export_fmu};
+use swayless_export::{Event, Info, Model, Point, Problem, Scalar, Variables, export_fmu};
 use swayless_mechanics::{Boom, BoomRates, Limits, Payload, Suspension, Swing, SwingFrame, Vector};
 
 mod variables;
@@ -86,10 +86,6 @@ impl Model for BoomCrane {
         let luff = luff_limits(p).check(declared.luff.angle).map(|why| Problem::new("luff.angle", why));
         let hoist = hoist_limits(p).check(declared.hoist.length).map(|why| Problem::new("hoist.length", why));
         luff.into_iter().chain(hoist).collect()
-    }
-
-    fn memory(_: &Parameters<f64>, _: &Environment<'_>) -> Result<(), Problem> {
-        Ok(())
     }
 
     fn start<R: Scalar>(p: &Parameters<R>, _: &Inputs<R>, declared: &States<R>) -> States<R> {

@@ -45,10 +45,6 @@ impl Model for CommandSource {
         Outputs { command: segment.value + segment.slope * (at.t - segment.begin) }
     }
 
-    fn indicators(_: &Point<'_, Self, f64>) -> [f64; 0] {
-        []
-    }
-
     fn event(at: &mut Event<'_, Self>) -> Option<f64> {
         let next = at.memory.partition_point(|segment| segment.begin <= at.t);
         // The first segment has always begun.

@@ -25,7 +25,7 @@ pub trait Model: Sized + Send + 'static {
     type Discrete<R: Scalar>: Variables<R>;
     /// What a model remembers beside its variables: event queues, tables. Copied before a step that has events, so
     /// `clone_from` should reuse memory; deserialization must refuse what cannot be.
-    type Memory: Clone + Send + Serialize + DeserializeOwned;
+    type Memory: Clone + Default + Send + Serialize + DeserializeOwned;
     /// z: `[f64; N]`; a change between > 0 and ≤ 0 is an event.
     type Indicators: Indicators;
 
@@ -34,7 +34,9 @@ pub trait Model: Sized + Send + 'static {
         Vec::new()
     }
     /// The memory when initialization begins. Files are read here and nowhere else.
-    fn memory(p: &Self::Parameters<f64>, environment: &Environment<'_>) -> Result<Self::Memory, Problem>;
+    fn memory(_p: &Self::Parameters<f64>, _environment: &Environment<'_>) -> Result<Self::Memory, Problem> {
+        Ok(Self::Memory::default())
+    }
     /// x when initialization ends, from the start values declared or set by the user.
     fn start<R: Scalar>(_p: &Self::Parameters<R>, _u: &Self::Inputs<R>, declared: &Self::States<R>) -> Self::States<R> {
         declared.clone()
@@ -44,10 +46,14 @@ pub trait Model: Sized + Send + 'static {
     /// y = g(t, x, d, u, p).
     fn outputs<R: Scalar>(at: &Point<'_, Self, R>) -> Self::Outputs<R>;
     /// z = h(t, x, d, u, p).
-    fn indicators(at: &Point<'_, Self, f64>) -> Self::Indicators;
+    fn indicators(_at: &Point<'_, Self, f64>) -> Self::Indicators {
+        Self::Indicators::quiet()
+    }
     /// d⁺ and x⁺, and when the next time event falls due (after `t`). Called when initialization ends and at every
     /// event; a second call at the same point changes nothing.
-    fn event(at: &mut Event<'_, Self>) -> Option<f64>;
+    fn event(_at: &mut Event<'_, Self>) -> Option<f64> {
+        None
+    }
 }
 
 /// The values of event indicators.
@@ -58,12 +64,17 @@ pub trait Indicators: AsRef<[f64]> + Clone + Send {
     fn of(values: &[f64]) -> Option<Self>
     where
         Self: Sized;
+    /// Indicators of no event.
+    fn quiet() -> Self;
 }
 
 impl<const N: usize> Indicators for [f64; N] {
     const COUNT: usize = N;
     fn of(values: &[f64]) -> Option<Self> {
         values.try_into().ok()
+    }
+    fn quiet() -> Self {
+        [1.0; N]
     }
 }
 
@@ -83,6 +94,18 @@ pub struct Info {
     /// A typical communication step (s).
     pub step_size: f64,
 }
+
+impl Info {
+    /// What a model is with nothing said but its name and a line: a page of that, a plain icon, and 10 s in steps of
+    /// 10 ms.
+    pub const fn new(name: &'static str, description: &'static str) -> Self {
+        Self { name, description, documentation: description, icon: PLAIN_ICON, stop_time: 10.0, step_size: 0.01 }
+    }
+}
+
+const PLAIN_ICON: &str = r##"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 128 128" width="128" height="128">
+  <rect x="8" y="8" width="112" height="112" rx="12" fill="#f5f7f9" stroke="#3b4a5a" stroke-width="6"/>
+</svg>"##;
 
 /// A point in time at which the equations are evaluated.
 pub struct Point<'a, M: Model, R: Scalar> {

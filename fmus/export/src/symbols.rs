@@ -30,15 +30,15 @@ macro_rules! export_fmu {
 macro_rules! c_symbols {
     ([$model:ident $version:ident] $(fn $name:ident($($argument:ident: $type:ty),*) $(-> $return:ty)?;)*) => {
         #[allow(non_snake_case, clippy::too_many_arguments, reason = "names and signatures are the standard's")]
-        mod $version {
+        const _: () = {
             use $crate::abi::$version::*;
             $(
                 #[unsafe(no_mangle)]
                 unsafe extern "C" fn $name($($argument: $type),*) $(-> $return)? {
                     // SAFETY: the importer keeps to the standard, which is what the function asks for.
-                    unsafe { $crate::$version::$name::<super::$model>($($argument),*) }
+                    unsafe { $crate::$version::$name::<$model>($($argument),*) }
                 }
             )*
-        }
+        };
     };
 }

@@ -24,6 +24,13 @@ struct Memory {
     samples: f64,
 }
 
+/// Of no shaper at all, until the parameters are known.
+impl Default for Memory {
+    fn default() -> Self {
+        Self { trains: Trains::new(0.0, 0), shaper: Shaper::unshaped(), begin: 0.0, samples: 0.0 }
+    }
+}
+
 /// Copying into a memory uses its room again: it happens in every step that has an event.
 impl Clone for Memory {
     fn clone(&self) -> Self {
@@ -106,17 +113,12 @@ impl Model for InputShaper {
     }
 
     fn memory(p: &Parameters<f64>, _: &Environment<'_>) -> Result<Memory, Problem> {
-        let trains = Trains::new(p.command_start, PENDING);
-        Ok(Memory { trains, shaper: Shaper::unshaped(), begin: 0.0, samples: 0.0 })
+        Ok(Memory { trains: Trains::new(p.command_start, PENDING), ..Memory::default() })
     }
 
     fn derivatives<R: Scalar>(_: &Point<'_, Self, R>) {}
 
     fn outputs<R: Scalar>(_: &Point<'_, Self, R>) {}
-
-    fn indicators(_: &Point<'_, Self, f64>) -> [f64; 0] {
-        []
-    }
 
     fn event(at: &mut Event<'_, Self>) -> Option<f64> {
         let (p, u, d, memory) = (at.p, at.u, &mut *at.d, &mut *at.memory);

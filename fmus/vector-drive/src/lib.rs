@@ -2,7 +2,7 @@
 //!
 //! Saturator, reversal switch (6.1), rate limiter and second-order response H(s) in series.
 
-use swayless_export::{Environment, Event, Info, Model, Point, Problem, Scalar, export_fmu};
+use swayless_export::{Event, Info, Model, Point, Scalar, export_fmu};
 
 mod variables;
 
@@ -43,10 +43,6 @@ impl Model for VectorDrive {
     type Discrete<R: Scalar> = Discrete<R>;
     type Memory = ();
     type Indicators = [f64; 2];
-
-    fn memory(_: &Parameters<f64>, _: &Environment<'_>) -> Result<(), Problem> {
-        Ok(())
-    }
 
     fn derivatives<R: Scalar>(at: &Point<'_, Self, R>) -> States<R> {
         let mut dx = at.x.clone();

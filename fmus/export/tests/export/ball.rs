@@ -1,6 +1,6 @@
 //! A bouncing ball with one of everything that a variable can be.
 
-use swayless_export::{Enumeration, Environment, Event, Info, Model, Point, Problem, Scalar, Variables};
+use swayless_export::{Enumeration, Event, Info, Model, Point, Scalar, Variables};
 
 /// The model.
 pub struct Ball;
@@ -104,10 +104,6 @@ impl Model for Ball {
     type Discrete<R: Scalar> = Discrete<R>;
     type Memory = ();
     type Indicators = [f64; 1];
-
-    fn memory(_: &Parameters<f64>, _: &Environment<'_>) -> Result<(), Problem> {
-        Ok(())
-    }
 
     fn derivatives<R: Scalar>(at: &Point<'_, Self, R>) -> States<R> {
         let falling = at.u.push - at.p.gravity;

@@ -27,7 +27,7 @@ unsafe extern "C" fn log(environment: *mut c_void, status: i32, category: abi::S
     }
 }
 
-unsafe extern "C" fn collect(context: *mut c_void, bytes: *const u8, n: usize) {
+pub unsafe extern "C" fn collect(context: *mut c_void, bytes: *const u8, n: usize) {
     // SAFETY: the context is the buffer of `describe`, and the runtime passes `n` bytes.
     unsafe { (*context.cast::<Vec<u8>>()).extend_from_slice(std::slice::from_raw_parts(bytes, n)) };
 }

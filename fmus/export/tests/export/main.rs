@@ -9,6 +9,7 @@ mod description;
 mod events;
 mod host;
 mod life_cycle;
+mod newcomer;
 mod refusals;
 mod state;
 mod values;
