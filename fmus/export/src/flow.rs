@@ -5,6 +5,9 @@ use crate::layout::{Block, Layout};
 use crate::model::{Indicators, Model, Point};
 use crate::variables::Variables;
 
+/// The share of the tolerance that one step may use, since the errors of many steps add up: so a payload that swings by
+/// 1 rad for a minute keeps its energy to ten times the tolerance.
+const SHARE: f64 = 0.25;
 /// A step shorter than this part of the time is taken as stuck.
 const SHORTEST: f64 = 1e-15;
 /// Two crossings closer than this part of the time are not told apart.
@@ -151,7 +154,7 @@ impl<M: Model> Flow<M> {
         tolerance: f64,
     ) -> Result<bool, Stuck> {
         states.write_reals(&mut self.x);
-        let found = self.integrate(field, t, target, tolerance);
+        let found = self.integrate(field, t, target, SHARE * tolerance);
         states.read_reals(&self.x);
         found
     }
