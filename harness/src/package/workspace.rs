@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use cargo_metadata::{CrateType, MetadataCommand, TargetKind};
+use cargo_metadata::{MetadataCommand, TargetKind};
 
 use super::Error;
 
@@ -42,7 +42,7 @@ impl Workspace {
             .workspace_packages()
             .into_iter()
             .filter(|p| p.manifest_path.starts_with(&fmus))
-            .filter(|p| p.targets.iter().any(|t| is_cdylib(&t.kind, &t.crate_types)))
+            .filter(|p| p.targets.iter().any(|t| t.kind.contains(&TargetKind::CDyLib)))
             .map(|p| FmuCrate { name: p.name.to_string(), description: p.description.clone().unwrap_or_default() })
             .collect();
         crates.sort_by(|a, b| a.name.cmp(&b.name));
@@ -79,10 +79,6 @@ impl Workspace {
         let (Some(mit), Some(apache)) = (read("LICENSE-MIT")?, read("LICENSE-APACHE")?) else { return Ok(None) };
         Ok(Some(format!("Licensed under either of the following, at your option.\n\n{mit}\n\n{apache}")))
     }
-}
-
-fn is_cdylib(kinds: &[TargetKind], types: &[CrateType]) -> bool {
-    kinds.contains(&TargetKind::CDyLib) || types.contains(&CrateType::CDyLib)
 }
 
 /// `BoomCrane`, `boom-crane` and `boom_crane` mean the same FMU.
