@@ -16,22 +16,41 @@ pub(crate) struct Flow {
     pub initialization: Vec<Port>,
     /// The instances, each as far as possible after those that feed it.
     pub instances: Vec<usize>,
+    /// The connections that pass their values a step late, to break algebraic loops: output and input.
+    pub late: Vec<(Port, Port)>,
 }
 
 impl Flow {
-    /// Of resolved connections; an algebraic loop is an error, in initialization or later.
-    pub(crate) fn of(names: &Names, links: &[Link]) -> Result<Self> {
+    /// Of resolved connections. An algebraic loop, in initialization or later, is an error, or is broken where its last
+    /// connection is.
+    pub(crate) fn of(names: &Names, links: &[Link], break_loops: bool) -> Result<Self> {
         let variables = Variables::of(links);
-        let stepping = variables.graph(names, links, Phase::Stepping);
-        let initializing = variables.graph(names, links, Phase::Initialization);
-        let looped = |cycle: Vec<usize>| Error::AlgebraicLoop {
-            variables: cycle.into_iter().map(|node| names.name(variables.ports[node])).collect(),
+        let mut stepping = variables.graph(names, links, Phase::Stepping);
+        let mut initializing = variables.graph(names, links, Phase::Initialization);
+        let mut late = Vec::new();
+        let order = loop {
+            let cycle = match (initializing.order(), stepping.order()) {
+                (Ok(order), Ok(_)) => break order,
+                (Err(cycle), _) | (_, Err(cycle)) => cycle,
+            };
+            let last = links.iter().rev().find(|link| {
+                let (from, to) = (variables.node(link.from), variables.node(link.to));
+                let next = cycle.iter().cycle().skip(1);
+                cycle.iter().zip(next).any(|(&a, &b)| (a, b) == (from, to))
+            });
+            let Some(link) = last.filter(|_| break_loops) else {
+                let variables = cycle.into_iter().map(|node| names.name(variables.ports[node])).collect();
+                return Err(Error::AlgebraicLoop { variables });
+            };
+            for graph in [&mut initializing, &mut stepping] {
+                graph.disconnect(variables.node(link.from), variables.node(link.to));
+            }
+            late.push((link.from, link.to));
         };
-        let order = initializing.order().map_err(looped)?;
-        stepping.order().map_err(looped)?;
         Ok(Self {
             initialization: order.into_iter().map(|node| variables.ports[node]).collect(),
             instances: order_instances(names, links, &variables, &stepping),
+            late,
         })
     }
 }
@@ -149,6 +168,10 @@ impl Graph {
         if !self.next[from].contains(&to) {
             self.next[from].push(to);
         }
+    }
+
+    fn disconnect(&mut self, from: usize, to: usize) {
+        self.next[from].retain(|&node| node != to);
     }
 
     /// All nodes, each after those that lead to it, smaller numbers first where there is a choice; or a shortest circle.

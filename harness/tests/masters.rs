@@ -27,6 +27,36 @@ fn last(recording: &Recording, name: &str) -> f64 {
     *recording.column(name).unwrap().last().unwrap()
 }
 
+/// y = ½ u + 1, at once.
+fn half() -> Arc<Mock> {
+    let variables = r#"<Float64 name="u" valueReference="0" causality="input" start="0"/>
+        <Float64 name="y" valueReference="1" causality="output"/>"#;
+    let structure =
+        r#"<Output valueReference="1" dependencies="0"/><InitialUnknown valueReference="1" dependencies="0"/>"#;
+    let update = |values: &mut Values| {
+        let y = 0.5 * values[&0][0] + 1.0;
+        values.insert(1, vec![y]);
+    };
+    mock("Half", variables, structure, update, rest)
+}
+
+#[test]
+fn a_broken_loop_finds_its_fixed_point_step_by_step() {
+    // Around the loop y = ¼ y + 1½, with the fixed point 2: each step takes a quarter of the distance that is left.
+    let mut system = System::new("loop");
+    system.add_model("a", half());
+    system.add_model("b", half());
+    system.connect("a.y", "b.u");
+    system.connect("b.y", "a.u");
+    assert!(matches!(system.check(), Err(Error::AlgebraicLoop { .. })));
+    system.set_break_loops(true);
+    let options = Options { stop_time: Some(30.0), step_size: Some(1.0), ..Options::default() };
+    let (_, recording) = run(&system, &options);
+    assert_eq!((last(&recording, "a.y"), last(&recording, "b.y")), (2.0, 2.0));
+    let errors: Vec<f64> = recording.column("a.y").unwrap().iter().map(|y| 2.0 - y).collect();
+    assert!(errors.windows(2).take(10).all(|pair| (pair[1] - 0.25 * pair[0]).abs() < 1e-12), "{errors:?}");
+}
+
 /// A mass between a spring of stiffness 1 to the ground and one of stiffness 2 to `u`: x″ = −x − 2 (x − u), m = 1.
 fn oscillator(start: f64) -> Arc<Mock> {
     let variables = format!(

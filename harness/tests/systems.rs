@@ -169,6 +169,11 @@ fn algebraic_loops_are_named_and_apparent_ones_are_none() {
         Error::AlgebraicLoop { variables } => assert_eq!(variables.len(), 4),
         other => panic!("{other}"),
     }
+    let mut broken = system(silent);
+    broken.set_break_loops(true);
+    broken.check().unwrap();
+    assert_eq!(broken.late_connections().unwrap(), ["b.y → a.w"]);
+    assert_eq!(system(declared).late_connections().unwrap(), [""; 0]);
     let mut closed = system(declared);
     closed.connect("a.z", "a.u");
     let text = closed.check().unwrap_err().to_string();

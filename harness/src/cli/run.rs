@@ -39,6 +39,9 @@ pub struct Arguments {
     /// How the master steps the FMUs: `jacobi` all at once, `gauss-seidel` one after the other in the order of signals
     #[arg(long, value_enum, default_value_t = Algorithm::GaussSeidel)]
     algorithm: Algorithm,
+    /// Break algebraic loops rather than refuse them: the last connection of each loop passes its values a step late
+    #[arg(long)]
+    break_loops: bool,
     /// The relative tolerance of the FMUs' integrators
     #[arg(long, value_name = "NUMBER")]
     tolerance: Option<f64>,
@@ -119,6 +122,12 @@ fn system(arguments: &Arguments) -> Result<System, Failure> {
     };
     for (name, value) in &arguments.start_value {
         system.set_start_value(name, value);
+    }
+    if arguments.break_loops {
+        system.set_break_loops(true);
+        for late in system.late_connections()? {
+            console::note(format_args!("a step late, to break an algebraic loop: {late}"));
+        }
     }
     if let Some(path) = &arguments.input_file {
         system.set_input_signals(InputSignals::open(path)?);

@@ -197,7 +197,8 @@ pub enum Error {
     /// Outputs depend on each other in a circle, directly.
     #[error(
         "algebraic loop: {}; the declared dependencies make each of these depend on itself at the same instant. Break it \
-         with a component whose output does not feed through, or declare the true dependencies in ModelStructure",
+         with a component whose output does not feed through, declare the true dependencies in ModelStructure, or let \
+         the loop's last connection pass its values a step late (--break-loops)",
         cycle(variables)
     )]
     AlgebraicLoop {

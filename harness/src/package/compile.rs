@@ -16,7 +16,8 @@ const PROFILE: &str = "fmu";
 /// Separates flags in `CARGO_ENCODED_RUSTFLAGS`.
 const SEPARATOR: char = '\x1f';
 
-/// Compiles all crates in one run of cargo and returns their libraries, in the same order.
+/// Compiles all FMU crates in one run of cargo and returns the libraries of those wanted, in the same order. All, since
+/// cargo unites the features of the packages it is given: the bytes of one would depend on the others it is built with.
 pub fn compile(workspace: &Workspace, crates: &[FmuCrate], target_dir: &Path) -> Result<Vec<PathBuf>, Error> {
     let program = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut command = Command::new(&program);
@@ -24,7 +25,7 @@ pub fn compile(workspace: &Workspace, crates: &[FmuCrate], target_dir: &Path) ->
     command.current_dir(&workspace.root);
     command.args(["build", "--profile", PROFILE, "--message-format", "json-render-diagnostics", "--target-dir"]);
     command.arg(target_dir);
-    for krate in crates {
+    for krate in &workspace.crates {
         command.args(["--package", &krate.name]);
     }
     remap_paths(&mut command, workspace);

@@ -22,7 +22,7 @@ pub struct Workspace {
     pub root: PathBuf,
     /// Where cargo compiles unless told otherwise.
     pub target_dir: PathBuf,
-    crates: Vec<FmuCrate>,
+    pub crates: Vec<FmuCrate>,
 }
 
 impl Workspace {

@@ -35,6 +35,7 @@ pub struct System {
     pub(crate) connections: Vec<Connection>,
     pub(crate) start_values: Vec<StartValue>,
     pub(crate) signals: Option<Arc<InputSignals>>,
+    pub(crate) break_loops: bool,
     /// The system's own connectors and the variables behind them: the inputs that one feeds, or the output that it shows.
     pub(crate) connectors: BTreeMap<String, Vec<String>>,
     files: HashMap<PathBuf, Arc<Fmu>>,
@@ -165,6 +166,20 @@ impl System {
     /// Sets the signals that drive the inputs named by their columns.
     pub fn set_input_signals(&mut self, signals: InputSignals) {
         self.signals = Some(Arc::new(signals));
+    }
+
+    /// Whether algebraic loops are broken rather than refused: the last connection of each loop then passes its values a
+    /// step late. It is a way to run FMUs that do not declare what their outputs depend on, and that are taken to feed
+    /// everything through.
+    pub fn set_break_loops(&mut self, yes: bool) {
+        self.break_loops = yes;
+    }
+
+    /// The connections that pass their values a step late since loops are broken, each as "output → input".
+    pub fn late_connections(&self) -> Result<Vec<String>> {
+        let wiring = Wiring::of(self)?;
+        let name = |port| wiring.names.name(port);
+        Ok(wiring.flow.late.iter().map(|&(from, to)| format!("{} → {}", name(from), name(to))).collect())
     }
 
     /// The instances, in the order in which they were added.

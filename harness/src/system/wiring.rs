@@ -90,7 +90,7 @@ impl<'a> Wiring<'a> {
         crowded.sort_by_key(|&(port, _)| port);
         errors
             .extend(crowded.into_iter().map(|(port, sources)| Error::SeveralSources { to: names.name(port), sources }));
-        let flow = Flow::of(&names, &links).map_err(|error| errors.push(error));
+        let flow = Flow::of(&names, &links, system.break_loops).map_err(|error| errors.push(error));
         Error::all(errors)?;
         // An error of the flow has just been returned with the others.
         let flow = flow.unwrap_or_default();
