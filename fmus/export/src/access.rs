@@ -1,5 +1,6 @@
 //! Getting and setting variables by value reference.
 
+use crate::course::Term;
 use crate::declaration::Declaration;
 use crate::instance::{Instance, Refusal, range};
 use crate::layout::{Block, Layout};
@@ -115,6 +116,29 @@ impl<M: Model> Instance<M> {
                 return self.not_now(block, index, "it is calculated by the FMU");
             }
         }
+        Ok(())
+    }
+
+    /// Sets a derivative of a continuous input at the begin of the next step.
+    pub fn set_input_derivative(&mut self, reference: u32, order: i32, value: f64) -> Result<(), Refusal> {
+        let (block, index) = self.locate(reference)?;
+        let continuous = block == Block::Inputs
+            && matches!(self.u.get(index), Value::Real(_))
+            && self.input(index).is_some_and(|input| !input.discrete);
+        let name = || Layout::<M>::name(block, index);
+        if !continuous {
+            return Err(Refusal::error(format!("{} has no derivative to set: it is no continuous input", name())));
+        }
+        let Some(order) = u32::try_from(order).ok().filter(|order| *order > 0) else {
+            return Err(Refusal::error(format!("{}: order {order} of a derivative; it must be at least 1", name())));
+        };
+        if !value.is_finite() {
+            return Err(Refusal::discard(format!(
+                "the derivative of {} is {value}; it must be a finite number",
+                name()
+            )));
+        }
+        self.course.set(Term { index, order, value });
         Ok(())
     }
 

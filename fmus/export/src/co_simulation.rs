@@ -44,14 +44,20 @@ impl<M: Model> Instance<M> {
         }
         let (t, next_event, disturbed) = (self.t, self.next_event, self.disturbed);
         self.backup.begin(&self.x);
+        self.course.begin(current, &self.u);
         self.t = current;
         let done = self.run_to(current + step);
         if done.is_err() {
+            if let Some(u) = self.course.base() {
+                self.u.clone_from(u);
+            }
             self.backup.restore(&mut self.x, &mut self.d, self.memory.as_mut());
             (self.t, self.next_event, self.disturbed) = (t, next_event, disturbed);
             self.moved();
             self.flow.restart();
         }
+        // Derivatives of inputs are for one step (FMI 2.0.5, 4.2.1); the inputs stay where they have got to.
+        self.course.hold();
         done
     }
 
@@ -87,13 +93,20 @@ impl<M: Model> Instance<M> {
         self.moved();
         if Layout::<M>::STATE_COUNT == 0 {
             self.t = target;
+            if !self.course.is_held() {
+                self.course.at(target, &mut self.u);
+            }
             return Ok(false);
         }
         let Some(memory) = &self.memory else {
             return Err(Refusal::error(NOT_INITIALIZED));
         };
-        let field = Field { p: &self.p, u: &self.u, d: &self.d, memory };
-        self.flow.advance(&field, &mut self.x, &mut self.t, target, self.tolerance).map_err(|Stuck(t)| {
+        let field = Field { p: &self.p, u: &self.u, course: &self.course, d: &self.d, memory };
+        let found = self.flow.advance(&field, &mut self.x, &mut self.t, target, self.tolerance);
+        if !self.course.is_held() {
+            self.course.at(self.t, &mut self.u);
+        }
+        found.map_err(|Stuck(t)| {
             Refusal::discard(format!(
                 "the equations cannot be integrated beyond {t} s: look for an input or a start value that is out of \
                  any physical range"

@@ -1,5 +1,6 @@
 //! The continuous part of co-simulation: integrates from event to event and finds where state events lie.
 
+use crate::course::Course;
 use crate::integrator::DormandPrince;
 use crate::layout::{Block, Layout};
 use crate::model::{Indicators, Model, Point};
@@ -23,8 +24,8 @@ pub struct Flow<M: Model> {
     x: Vec<f64>,
     before: Vec<f64>,
     nominal: Vec<f64>,
-    /// x as the model sees it, while a step is under way.
-    scratch: M::States<f64>,
+    /// x and u as the model sees them, while a step is under way.
+    scratch: Seen<M>,
     /// The length that the error control wants for the next step.
     h: f64,
     /// The first stage holds the derivatives at x.
@@ -78,7 +79,7 @@ impl<M: Model> Flow<M> {
             x: vec![0.0; n],
             before: vec![0.0; n],
             nominal,
-            scratch: Variables::start(),
+            scratch: Seen { x: Variables::start(), u: Variables::start() },
             h: f64::INFINITY,
             primed: false,
             z: None,
@@ -109,12 +110,20 @@ impl<M: Model> Flow<M> {
     }
 }
 
-/// The equations with all but time and states held.
+/// What is made anew for each evaluation.
+struct Seen<M: Model> {
+    x: M::States<f64>,
+    u: M::Inputs<f64>,
+}
+
+/// The equations with all held but time, states and inputs that move.
 pub struct Field<'a, M: Model> {
     /// p.
     pub p: &'a M::Parameters<f64>,
-    /// u.
+    /// u, where it is held.
     pub u: &'a M::Inputs<f64>,
+    /// u, where it moves.
+    pub course: &'a Course<M>,
     /// d.
     pub d: &'a M::Discrete<f64>,
     /// The memory.
@@ -123,18 +132,24 @@ pub struct Field<'a, M: Model> {
 
 impl<M: Model> Field<'_, M> {
     #[inline]
-    fn at<'a>(&'a self, t: f64, x: &[f64], seen: &'a mut M::States<f64>) -> Point<'a, M, f64> {
-        seen.read_reals(x);
-        Point { t, p: self.p, u: self.u, x: seen, d: self.d, memory: self.memory }
+    fn at<'a>(&'a self, t: f64, x: &[f64], seen: &'a mut Seen<M>) -> Point<'a, M, f64> {
+        seen.x.read_reals(x);
+        let u = if self.course.is_held() {
+            self.u
+        } else {
+            self.course.at(t, &mut seen.u);
+            &seen.u
+        };
+        Point { t, p: self.p, u, x: &seen.x, d: self.d, memory: self.memory }
     }
 
     #[inline]
-    fn derivatives(&self, t: f64, x: &[f64], dx: &mut [f64], seen: &mut M::States<f64>) {
+    fn derivatives(&self, t: f64, x: &[f64], dx: &mut [f64], seen: &mut Seen<M>) {
         M::derivatives(&self.at(t, x, seen)).write_reals(dx);
     }
 
     #[inline]
-    fn indicators(&self, t: f64, x: &[f64], seen: &mut M::States<f64>) -> M::Indicators {
+    fn indicators(&self, t: f64, x: &[f64], seen: &mut Seen<M>) -> M::Indicators {
         M::indicators(&self.at(t, x, seen))
     }
 }
@@ -219,7 +234,7 @@ impl<M: Model> Flow<M> {
 /// `rk.end`. Every trial is a true step, so that the state at an event is as accurate as any other.
 fn locate<M: Model>(
     field: &Field<'_, M>,
-    seen: &mut M::States<f64>,
+    seen: &mut Seen<M>,
     rk: &mut DormandPrince,
     (t, x): (f64, &[f64]),
     (before, after): (M::Indicators, M::Indicators),

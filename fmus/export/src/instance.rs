@@ -4,6 +4,7 @@ use std::ffi::CString;
 use std::path::PathBuf;
 
 use crate::backup::Backup;
+use crate::course::Course;
 use crate::declaration::Declaration;
 use crate::flow::Flow;
 use crate::layout::{Block, Layout};
@@ -72,6 +73,8 @@ pub struct Instance<M: Model> {
     pub(crate) u: M::Inputs<f64>,
     /// The start values of the states, as declared or set.
     pub(crate) declared: M::States<f64>,
+    /// How inputs move within the next step.
+    pub(crate) course: Course<M>,
     pub(crate) x: M::States<f64>,
     pub(crate) d: M::Discrete<f64>,
     /// None until initialization has read what the model remembers.
@@ -110,6 +113,7 @@ impl<M: Model> Instance<M> {
             p: Variables::start(),
             u: Variables::start(),
             declared: Variables::start(),
+            course: Course::held(),
             x: Variables::start(),
             d: Variables::start(),
             memory: None,
@@ -145,6 +149,7 @@ impl<M: Model> Instance<M> {
         self.p = Variables::start();
         self.u = Variables::start();
         self.declared = Variables::start();
+        self.course.hold();
         self.x = Variables::start();
         self.d = Variables::start();
         self.memory = None;

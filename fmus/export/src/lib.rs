@@ -7,6 +7,7 @@
 mod access;
 mod backup;
 mod co_simulation;
+mod course;
 mod declaration;
 mod describe;
 mod description;

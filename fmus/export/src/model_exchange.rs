@@ -90,7 +90,9 @@ impl<M: Model> Instance<M> {
     /// To Event Mode.
     pub fn enter_event(&mut self) -> Result<(), Refusal> {
         if self.interface == Interface::CoSimulation && !self.event_mode.used {
-            return Err(Refusal::error("EnterEventMode is not allowed: the instance was made with eventModeUsed = false"));
+            return Err(Refusal::error(
+                "EnterEventMode is not allowed: the instance was made with eventModeUsed = false",
+            ));
         }
         self.phase = Phase::Event;
         Ok(())

@@ -73,6 +73,7 @@ pub enum Call {
     State,
     GetDerivative,
     GetOutputDerivatives,
+    SetInputDerivatives,
     EnterStepMode,
     /// A function behind a capability that is not offered: refused in every phase.
     NotOffered,
@@ -96,6 +97,7 @@ impl Call {
             Self::Get | Self::GetDerivative => (LOOKING, None),
             Self::Set => (INSTANTIATED | INITIALIZATION | RUNNING, None),
             Self::DoStep => (STEP, Some(CoSimulation)),
+            Self::SetInputDerivatives => (INSTANTIATED | INITIALIZATION | STEP, Some(CoSimulation)),
             Self::GetStatus => (STEP | Phase::Terminated as u8 | Phase::Failed as u8, Some(CoSimulation)),
             Self::EnterEventMode => (CONTINUOUS | STEP, None),
             Self::NewDiscreteStates => (EVENT, None),

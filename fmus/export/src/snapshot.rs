@@ -6,6 +6,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::course::Term;
 use crate::flow::Pace;
 use crate::instance::{Instance, Refusal};
 use crate::model::{Indicators, Model};
@@ -30,6 +31,7 @@ pub struct Snapshot<M: Model> {
     next_event: Option<f64>,
     uninitialized: bool,
     disturbed: bool,
+    course: Vec<Term>,
     pace: Pace<M::Indicators>,
 }
 
@@ -50,6 +52,7 @@ impl<M: Model> Instance<M> {
             next_event: self.next_event,
             uninitialized: self.uninitialized,
             disturbed: self.disturbed,
+            course: self.course.terms().to_vec(),
             pace: self.flow.pace(),
         }
     }
@@ -74,6 +77,8 @@ impl<M: Model> Instance<M> {
         self.next_event = snapshot.next_event;
         self.uninitialized = snapshot.uninitialized;
         self.disturbed = snapshot.disturbed;
+        self.course.hold();
+        snapshot.course.iter().for_each(|term| self.course.set(*term));
         self.flow.set_pace(&snapshot.pace);
         self.moved();
         self.prepare_steps();
@@ -97,6 +102,7 @@ struct Portable<Memory> {
     x: Vec<Stored>,
     d: Vec<Stored>,
     memory: Option<Memory>,
+    course: Vec<(u32, u32, f64)>,
     h: f64,
     first_stage: Option<Vec<f64>>,
     z: Option<Vec<f64>>,
@@ -156,6 +162,8 @@ impl<M: Model> Snapshot<M> {
             x: store(&self.x),
             d: store(&self.d),
             memory: self.memory.as_ref(),
+            // A model has far fewer inputs than that.
+            course: self.course.iter().map(|t| (u32::try_from(t.index).unwrap_or(0), t.order, t.value)).collect(),
             h: self.pace.h,
             first_stage: self.pace.first_stage.clone(),
             z: self.pace.z.as_ref().map(|z| z.as_ref().to_vec()),
@@ -204,6 +212,14 @@ impl<M: Model> Snapshot<M> {
             next_event: portable.next_event,
             uninitialized: portable.uninitialized,
             disturbed: portable.disturbed,
+            course: portable
+                .course
+                .iter()
+                .map(|&(index, order, value)| {
+                    let inside = (index as usize) < <M::Inputs<f64> as Variables<f64>>::COUNT && order > 0;
+                    (inside && value.is_finite()).then_some(Term { index: index as usize, order, value })
+                })
+                .collect::<Option<_>>()?,
             pace: Pace {
                 h: Some(portable.h).filter(|h| *h > 0.0)?,
                 first_stage: portable.first_stage,

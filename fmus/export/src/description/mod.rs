@@ -43,6 +43,7 @@ pub fn of<M: Model>(version: FmiVersion) -> ModelDescription {
         variable_naming_convention: NamingConvention::Structured,
         co_simulation: Some(Interface {
             can_handle_variable_communication_step_size: true,
+            can_interpolate_inputs: version == FmiVersion::V2,
             max_output_derivative_order: 1,
             has_event_mode: version == FmiVersion::V3,
             might_return_early_from_do_step: version == FmiVersion::V3,

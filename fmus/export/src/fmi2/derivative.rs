@@ -1,4 +1,4 @@
-//! Directional derivatives, and derivatives of outputs over time, in FMI 2.0.
+//! Directional derivatives, and derivatives of inputs and outputs over time, in FMI 2.0.
 
 use swayless_abi::fmi2::*;
 
@@ -43,6 +43,27 @@ pub unsafe fn fmi2GetRealOutputDerivatives<M: Model>(
             first_order(slice(order, nvr, "order")?)?;
             let outputs: Vec<_> = slice(vr, nvr, "vr")?.iter().map(|reference| *reference as usize).collect();
             instance.output_derivatives(&outputs, slice_mut(value, nvr, "value")?)
+        })
+    }
+}
+
+/// See [`fmi2GetTypesPlatform`](super::fmi2GetTypesPlatform).
+pub unsafe fn fmi2SetRealInputDerivatives<M: Model>(
+    c: Component,
+    vr: *const ValueReference,
+    nvr: usize,
+    order: *const Integer,
+    value: *const Real,
+) -> Status {
+    // SAFETY: the instance and the arrays are the importer's, as the standard specifies.
+    unsafe {
+        call::<M>(c, Call::SetInputDerivatives, "fmi2SetRealInputDerivatives", |instance| {
+            let (references, orders) = (slice(vr, nvr, "vr")?, slice(order, nvr, "order")?);
+            let values = slice(value, nvr, "value")?;
+            for ((reference, order), value) in references.iter().zip(orders).zip(values) {
+                instance.set_input_derivative(*reference, *order, *value)?;
+            }
+            Ok(())
         })
     }
 }

@@ -18,6 +18,5 @@ macro_rules! not_offered {
 }
 
 not_offered! {
-    fmi2SetRealInputDerivatives(*const ValueReference, usize, *const Integer, *const Real);
     fmi2CancelStep();
 }

@@ -126,3 +126,51 @@ fn output_derivatives_are_those_over_time() {
         assert_eq!(read(ball.instance, references.as_ptr(), 4, [2; 4].as_ptr(), found.as_mut_ptr(), 4), ERROR);
     }
 }
+
+/// Sets derivatives of the push by FMI 2.0; the instance is the same in both versions.
+fn push_course(ball: &Host, orders: &[i32], values: &[f64]) -> i32 {
+    let references = vec![ball.reference("push"); orders.len()];
+    // SAFETY: an instance, and arrays of the sizes announced.
+    unsafe {
+        fmi2::fmi2SetRealInputDerivatives::<Ball>(
+            ball.instance,
+            references.as_ptr(),
+            orders.len(),
+            orders.as_ptr(),
+            values.as_ptr(),
+        )
+    }
+}
+
+#[test]
+fn inputs_move_within_a_step_as_their_derivatives_say() {
+    let ball = falling();
+    assert_eq!(ball.set("push", 4.0), OK);
+    assert_eq!(push_course(&ball, &[1, 2], &[3.0, -12.0]), abi2::OK);
+    assert_eq!(ball.step(0.0, 0.5), OK);
+    // v̇ = −10 + 4 + 3t − 6t², so v = −2 − 6t + 1.5t² − 2t³ and h = 3 − 2t − 3t² + 0.5t³ − 0.5t⁴.
+    let t: f64 = 0.5;
+    assert!((ball.get("velocity") - (-2.0 - 6.0 * t + 1.5 * t * t - 2.0 * t.powi(3))).abs() < 1e-14);
+    let height = 3.0 - 2.0 * t - 3.0 * t * t + 0.5 * t.powi(3) - 0.5 * t.powi(4);
+    assert!((ball.get("height") - height).abs() < 1e-14);
+    // The input is where it got to, and stays there.
+    let push = 4.0 + 3.0 * t - 6.0 * t * t;
+    assert!((ball.get("push") - push).abs() < 1e-15);
+    let velocity = ball.get("velocity");
+    assert_eq!(ball.step(0.5, 0.125), OK);
+    assert!((ball.get("velocity") - (velocity + (push - 10.0) * 0.125)).abs() < 1e-14);
+    assert!((ball.get("push") - push).abs() < 1e-15);
+}
+
+#[test]
+fn only_continuous_inputs_have_derivatives_to_set() {
+    let ball = falling();
+    assert_eq!(push_course(&ball, &[1], &[f64::NAN]), abi2::DISCARD);
+    let (floor, one) = (ball.reference("floor"), 1.0);
+    // SAFETY: an instance, and one value each.
+    let status = unsafe { fmi2::fmi2SetRealInputDerivatives::<Ball>(ball.instance, &floor, 1, &1, &one) };
+    assert_eq!(status, abi2::ERROR);
+    assert!(ball.last_message().contains("floor has no derivative"), "{}", ball.last_message());
+    let ball = falling();
+    assert_eq!(push_course(&ball, &[0], &[1.0]), abi2::ERROR);
+}
