@@ -1,4 +1,4 @@
-"""Luff and hoist of the boom crane stop at their limits, inside steps and in model exchange, and leave them again."""
+"""What holds the boom crane together: luff and hoist stop at their limits, and the cable keeps its length."""
 
 import pytest
 from host import Instance, exchange, solver
@@ -58,3 +58,15 @@ def test_a_start_beyond_a_limit_is_refused_by_name(named, version):
         with pytest.raises(Exception):
             instance.initialize({**LIMITS, "luff.angle": 1.0}, {})
         assert "luff.angle is 1" in str(instance.messages[-1][1]), instance.messages
+
+
+@pytest.mark.parametrize("rate", [0.7, 2.0, 30.0])
+def test_the_cable_stays_a_cable(named, rate):
+    """Two minutes of slewing, gently or beyond all measure: the direction to the payload stays a unit vector."""
+    crane = named("fmi3", "BoomCrane")
+    with Instance(crane, "CoSimulation") as instance:
+        instance.initialize({}, {"slew.rate": rate})
+        for k in range(1200):
+            instance.api.doStep(k * 0.1, 0.1)
+        direction = instance.get([crane.variables["cable.direction"]]).values()
+        assert sum(component**2 for component in direction) == pytest.approx(1.0, abs=1e-5)

@@ -7,8 +7,8 @@ mod variables;
 
 use variables::{Discrete, Inputs, Outputs, Parameters, States};
 
-/// No joint and no base is faster (rad/s, m/s): beyond, inputs are cut, so that a step of any input ends.
-const FASTEST: f64 = 1e3;
+/// No joint and no base is faster (rad/s, m/s): beyond, inputs are cut, so that a step of any input ends in useful time.
+const FASTEST: f64 = 100.0;
 /// No wind accelerates a payload more (m/s²).
 const STRONGEST: f64 = 1e6;
 

@@ -10,20 +10,20 @@ pub struct Parameters<R: Scalar> {
     pub payload: PayloadParameters<R>,
     pub swing: SwingParameters<R>,
     /// Gravity.
-    #[variable(unit = "m/s2", start = 9.81, min = 1e-3)]
+    #[variable(unit = "m/s2", start = 9.81, min = 1e-3, max = 1e3)]
     pub gravity: R,
 }
 
 #[derive(Clone, Variables)]
 pub struct BoomParameters<R: Scalar> {
     /// Length of the boom, from its foot to its tip (r).
-    #[variable(unit = "m", start = 18.0, min = 1e-3)]
+    #[variable(unit = "m", start = 18.0, min = 1e-3, max = 1e4)]
     pub length: R,
     /// Distance of the slewing axis and boom foot ahead of the base's reference point (a).
-    #[variable(unit = "m")]
+    #[variable(unit = "m", min = -1e4, max = 1e4)]
     pub offset: R,
     /// Height of the boom foot above the base's reference point (h).
-    #[variable(unit = "m", start = 1.5)]
+    #[variable(unit = "m", start = 1.5, min = -1e4, max = 1e4)]
     pub height: R,
 }
 
@@ -43,21 +43,21 @@ pub struct HoistParameters<R: Scalar> {
     #[variable(unit = "m", start = 0.5, min = 1e-3)]
     pub length_min: R,
     /// Greatest suspension length, where the hoist stops.
-    #[variable(unit = "m", start = 200.0, min = 1e-3)]
+    #[variable(unit = "m", start = 200.0, min = 1e-3, max = 1e4)]
     pub length_max: R,
 }
 
 #[derive(Clone, Variables)]
 pub struct PayloadParameters<R: Scalar> {
     /// Mass of the payload; it matters to wind only.
-    #[variable(unit = "kg", start = 1000.0, min = 1e-6)]
+    #[variable(unit = "kg", start = 1000.0, min = 1e-6, max = 1e9)]
     pub mass: R,
 }
 
 #[derive(Clone, Variables)]
 pub struct SwingParameters<R: Scalar> {
     /// Damping of the swing (d); for small swing 2ζω.
-    #[variable(unit = "1/s", min = 0.0)]
+    #[variable(unit = "1/s", min = 0.0, max = 1e3)]
     pub damping: R,
     /// Radial swing at the start.
     #[variable(unit = "rad", min = -1.57, max = 1.57)]
@@ -66,10 +66,10 @@ pub struct SwingParameters<R: Scalar> {
     #[variable(unit = "rad", min = -std::f64::consts::PI, max = std::f64::consts::PI)]
     pub tangential_start: R,
     /// Rate of the radial swing at the start.
-    #[variable(unit = "rad/s")]
+    #[variable(unit = "rad/s", min = -100.0, max = 100.0)]
     pub radial_rate_start: R,
     /// Rate of the tangential swing at the start.
-    #[variable(unit = "rad/s")]
+    #[variable(unit = "rad/s", min = -100.0, max = 100.0)]
     pub tangential_rate_start: R,
 }
 

@@ -1,5 +1,6 @@
 //! Where C meets Rust: pointers are checked, panics caught, and refusals turned into a status and a log message.
 
+use std::any::Any;
 use std::borrow::Cow;
 use std::ffi::{CStr, CString, c_char, c_void};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -115,6 +116,12 @@ pub fn instantiate<M: Model>(
     made.unwrap_or(ptr::null_mut())
 }
 
+/// What a panic said.
+fn reason(panic: &(dyn Any + Send)) -> &str {
+    let text = panic.downcast_ref::<String>().map(String::as_str);
+    text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("no reason given")
+}
+
 /// Frees an instance; NULL is nothing to do.
 ///
 /// # Safety
@@ -157,8 +164,7 @@ pub unsafe fn call<M: Model>(
         Ok(Ok(())) => return 0,
         Ok(Err(refusal)) => refusal,
         Err(panic) => {
-            let why = panic.downcast_ref::<&str>().copied().map(str::to_string);
-            let why = why.or_else(|| panic.downcast_ref::<String>().cloned()).unwrap_or_default();
+            let why = reason(&*panic);
             Refusal { severity: Severity::Fatal, message: format!("internal error: {why}; please report it") }
         }
     };

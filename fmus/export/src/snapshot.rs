@@ -16,7 +16,8 @@ use crate::variables::{Value, Variables};
 
 const MAGIC: &[u8] = b"Swayless state 1\n";
 
-/// All that an instance is, beside its name, its log and its resources.
+/// All that an instance is, beside what it was made with: its name, its log, its resources, and whether Event Mode is
+/// used.
 pub struct Snapshot<M: Model> {
     interface: Interface,
     phase: Phase,
@@ -66,6 +67,12 @@ impl<M: Model> Instance<M> {
             )));
         }
         self.phase = snapshot.phase;
+        self.disturbed = snapshot.disturbed;
+        if self.phase == Phase::Event && self.interface == Interface::CoSimulation && !self.event_mode.used {
+            // Where Event Mode is not used, the next step begins with the event.
+            self.phase = Phase::Step;
+            self.disturbed = true;
+        }
         self.t = snapshot.t;
         self.tolerance = snapshot.tolerance;
         self.p.clone_from(&snapshot.p);
@@ -76,7 +83,6 @@ impl<M: Model> Instance<M> {
         self.memory.clone_from(&snapshot.memory);
         self.next_event = snapshot.next_event;
         self.uninitialized = snapshot.uninitialized;
-        self.disturbed = snapshot.disturbed;
         self.course.hold();
         snapshot.course.iter().for_each(|term| self.course.set(*term));
         self.flow.set_pace(&snapshot.pace);

@@ -35,15 +35,19 @@ impl<R: Scalar> Payload<R> {
     }
 
     /// ṅ = (w − v⊥)/ℓ, where u⊥ is the part of u across n.
+    ///
+    /// All parts are taken across n/|n|, and w too: then ṅ is across n whatever rounding and integration have done, and
+    /// their errors stay what they are. With n itself an error of |n| feeds itself while the pivot moves along the cable.
     pub fn direction_rate(&self, suspension: &Suspension<R>) -> Vector<R> {
-        (self.velocity - across(suspension.pivot, self.direction)) / suspension.length
+        across(self.velocity - suspension.pivot, self.unit()) / suspension.length
     }
 
     /// ṅ and ẇ = (g + F/m)⊥ − (n·v + ℓ̇) ṅ − (w·ṅ) n − d ℓ ṅ.
     ///
     /// `pull` is g + F/m (m/s²), `damping` is d (1/s), for small swing 2ζω.
     pub fn rates(&self, suspension: &Suspension<R>, pull: Vector<R>, damping: R) -> Self {
-        let Self { direction: n, velocity: w } = *self;
+        let n = self.unit();
+        let w = across(self.velocity, n);
         let Suspension { pivot: v, length, length_rate } = *suspension;
         let n_rate = self.direction_rate(suspension);
         let w_rate = across(pull, n) - n_rate * (n.dot(&v) + length_rate + damping * length) - n * w.dot(&n_rate);
@@ -55,7 +59,7 @@ impl<R: Scalar> Payload<R> {
     pub fn amplitude(&self, suspension: &Suspension<R>, gravity: R) -> R {
         let n = self.unit();
         let above = Vector::new(n.x, n.y, n.z + 1.0);
-        let relative = self.velocity - across(suspension.pivot, n);
+        let relative = across(self.velocity - suspension.pivot, n);
         let potential = above.dot(&above) * 0.25;
         let kinetic = relative.dot(&relative) / (gravity * suspension.length * 4.0);
         (potential + kinetic).clamp(0.0, 1.0).sqrt().asin() * 2.0

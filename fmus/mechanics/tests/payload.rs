@@ -182,6 +182,20 @@ fn a_free_payload_keeps_its_energy() {
 }
 
 #[test]
+fn errors_of_the_constraints_do_not_feed_themselves() {
+    // Integration leaves |n| ≠ 1 and w·n ≠ 0. Whatever they are, n does not grow, even with the pivot moving along it.
+    for i in 0..100 {
+        let mut next = spread(i);
+        let n = SwingFrame::new(next(), 0.0).direction(Swing { radial: next(), tangential: next() });
+        let velocity = Vector::new(next(), next(), next());
+        let payload = Payload { direction: n * (1.0 + 0.1 * next()), velocity };
+        let suspension = Suspension { pivot: n * 50.0 + velocity * 0.3, length: 7.0, length_rate: next() };
+        let change = payload.rates(&suspension, Vector::new(0.0, 0.0, -G), 0.0);
+        assert!(change.direction.dot(&n).abs() < 1e-14 * suspension.pivot.norm());
+    }
+}
+
+#[test]
 fn the_amplitude_is_that_of_the_swing_to_come() {
     // At the turning point it is the angle; at the bottom ½ w² = g ℓ (1 − cos A).
     let frame = SwingFrame::new(0.3, 0.0);

@@ -6,22 +6,22 @@ use swayless_export::{Scalar, Variables};
 #[derive(Clone, Variables)]
 pub struct Parameters<R: Scalar> {
     /// Greatest speed that a command asks for (p).
-    #[variable(start = 0.75, min = 0.0)]
+    #[variable(start = 0.75, min = 0.0, max = 1e6)]
     pub velocity_limit: R,
     /// Speed up to which a reversed command is taken at once (X); above, the axis brakes to it first.
-    #[variable(start = 0.05, min = 0.0)]
+    #[variable(start = 0.05, min = 0.0, max = 1e6)]
     pub reversal_threshold: R,
     /// Greatest acceleration (a_max).
-    #[variable(start = 0.63, min = 1e-9)]
+    #[variable(start = 0.63, min = 1e-9, max = 1e6)]
     pub acceleration_limit: R,
     /// Damping ratio of the second-order response (ζ_H).
-    #[variable(unit = "1", start = 0.75, min = 0.0)]
+    #[variable(unit = "1", start = 0.75, min = 0.0, max = 10.0)]
     pub damping_ratio: R,
     /// Natural frequency of the second-order response (ω_H).
-    #[variable(unit = "rad/s", start = 3.7, min = 1e-6)]
+    #[variable(unit = "rad/s", start = 3.7, min = 1e-6, max = 1e4)]
     pub natural_frequency: R,
     /// A command up to this magnitude counts as 0.
-    #[variable(min = 0.0)]
+    #[variable(min = 0.0, max = 1e6)]
     pub dead_zone: R,
     /// Whether the second-order response is there; without it the drive is purely acceleration-limited.
     #[variable(start = true)]
