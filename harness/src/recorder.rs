@@ -196,11 +196,11 @@ impl<W: Write> Observer for CsvWriter<W> {
 
     fn sample(&mut self, time: f64, values: &[Value]) -> Result<()> {
         let written: Result<(), csv::Error> = (|| {
-            write_number(&mut self.writer, &mut self.field, time)?;
+            write_float(&mut self.writer, &mut self.field, time)?;
             for value in values {
                 match value {
-                    Value::Float(value) => write_number(&mut self.writer, &mut self.field, *value)?,
-                    Value::Integer(value) => write_number(&mut self.writer, &mut self.field, *value)?,
+                    Value::Float(value) => write_float(&mut self.writer, &mut self.field, *value)?,
+                    Value::Integer(value) => write_number(&mut self.writer, &mut self.field, format_args!("{value}"))?,
                     Value::Boolean(value) => self.writer.write_field(if *value { "1" } else { "0" })?,
                     Value::String(value) => self.writer.write_field(value)?,
                 }
@@ -215,13 +215,22 @@ impl<W: Write> Observer for CsvWriter<W> {
     }
 }
 
+/// The fewest digits that read back to the same bits, with an exponent where it saves zeros.
+fn write_float<W: Write>(writer: &mut csv::Writer<W>, field: &mut Vec<u8>, value: f64) -> Result<(), csv::Error> {
+    let plain = value == 0.0 || !value.is_finite() || (1e-5..1e16).contains(&value.abs());
+    if plain {
+        write_number(writer, field, format_args!("{value}"))
+    } else {
+        write_number(writer, field, format_args!("{value:e}"))
+    }
+}
+
 fn write_number<W: Write>(
     writer: &mut csv::Writer<W>,
     field: &mut Vec<u8>,
-    number: impl std::fmt::Display,
+    number: std::fmt::Arguments<'_>,
 ) -> Result<(), csv::Error> {
     field.clear();
-    // Rust's shortest representation that reads back to the same bits.
-    write!(field, "{number}")?;
+    field.write_fmt(number)?;
     writer.write_field(field)
 }

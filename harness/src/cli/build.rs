@@ -45,10 +45,10 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
                 |p| serde_json::json!({ "name": p.name, "description": p.description, "fmi2": p.fmi2, "fmi3": p.fmi3 }),
             )
             .collect();
-        println!("{:#}", serde_json::json!(fmus));
+        console::print(format_args!("{:#}", serde_json::json!(fmus)))?;
     } else {
         for package in &built.packages {
-            println!("{}\n{}", package.fmi2.display(), package.fmi3.display());
+            console::print(format_args!("{}\n{}", package.fmi2.display(), package.fmi3.display()))?;
         }
     }
     Ok(Outcome::Done)

@@ -1,10 +1,13 @@
 //! `swayless run`.
 
+use std::fs::File;
 use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 
 use serde_json::json;
-use swayless::{AlgorithmKind, CsvWriter, InputSignals, Observer, Options, Recording, Summary, System, simulate};
+use swayless::{
+    AlgorithmKind, Column, CsvWriter, InputSignals, Observer, Options, Recording, Summary, System, Value, simulate,
+};
 
 use super::console::Progress;
 use super::statistics::Statistics;
@@ -16,6 +19,7 @@ use super::{Failure, Outcome, console};
 /// from the system description, else from the FMUs' default experiments. Without --output-file and --json a table of
 /// the recorded variables is printed.
 #[derive(Debug, clap::Args)]
+#[command(allow_negative_numbers = true)]
 #[command(after_help = "Examples:\n  \
     swayless run examples/boom-crane/SystemStructure.ssd --step-size 0.01 -o result.csv --report report.html\n  \
     swayless run examples/boom-crane/SystemStructure.ssd --fmu-dir target/fmus/fmi2\n  \
@@ -33,7 +37,7 @@ pub struct Arguments {
     /// When to stop (s)
     #[arg(long, value_name = "SECONDS")]
     stop_time: Option<f64>,
-    /// The communication step size (s) [default: a thousandth of the run]
+    /// The communication step size (s) [default: that of the system or its FMUs, else a thousandth of the run]
     #[arg(long, value_name = "SECONDS")]
     step_size: Option<f64>,
     /// How the master steps the FMUs: `jacobi` all at once, `gauss-seidel` one after the other in the order of signals
@@ -87,10 +91,14 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let mut progress = Progress::new(&system.name);
     let mut statistics = Statistics::default();
     let mut recording = arguments.report.as_ref().map(|_| Recording::new());
-    let mut file = match &arguments.output_file {
-        Some(path) if !to_stdout => Some(CsvWriter::create(path)?),
-        _ => None,
-    };
+    let path = arguments.output_file.as_deref().filter(|_| !to_stdout);
+    let mut file = path.map(|path| FileOfRun { path, writer: None });
+    if let Some(folder) = arguments.report.as_deref().and_then(Path::parent)
+        && !folder.as_os_str().is_empty()
+        && !folder.is_dir()
+    {
+        return Err(write_failed(folder, std::io::ErrorKind::NotFound.into()).into());
+    }
     let mut stdout = to_stdout.then(|| CsvWriter::new("stdout", BufWriter::new(std::io::stdout())));
 
     let mut observers: Vec<&mut dyn Observer> = vec![&mut progress, &mut statistics];
@@ -113,6 +121,26 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         console::print(statistics.table())?;
     }
     Ok(Outcome::Done)
+}
+
+/// A CSV file that is made, over one that may be there, when the run begins: a mistake in the arguments costs no results.
+struct FileOfRun<'a> {
+    path: &'a Path,
+    writer: Option<CsvWriter<BufWriter<File>>>,
+}
+
+impl Observer for FileOfRun<'_> {
+    fn begin(&mut self, columns: &[Column]) -> swayless::Result<()> {
+        self.writer.insert(CsvWriter::create(self.path)?).begin(columns)
+    }
+
+    fn sample(&mut self, time: f64, values: &[Value]) -> swayless::Result<()> {
+        self.writer.as_mut().map_or(Ok(()), |writer| writer.sample(time, values))
+    }
+
+    fn end(&mut self) -> swayless::Result<()> {
+        self.writer.as_mut().map_or(Ok(()), CsvWriter::end)
+    }
 }
 
 fn system(arguments: &Arguments) -> Result<System, Failure> {

@@ -10,7 +10,8 @@ use super::{Failure, Outcome, console};
 
 /// Check FMUs and SSP documents against their standards, without running them.
 ///
-/// Prints all problems, each with its place. Exits with 3 when a file has errors; warnings alone do not count.
+/// Prints all problems, each with its place. Exits with 3 when a file has errors; warnings alone do not count. The FMUs
+/// that a system names are not looked into: `run` does that.
 #[derive(Debug, clap::Args)]
 pub struct Arguments {
     /// The .fmu, .ssd, .ssv, .ssm or .ssp files to check
@@ -24,8 +25,21 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let mut outcome = Outcome::Done;
     let mut results = Vec::new();
+    // A file that cannot be read does not keep the others from being checked.
+    let mut unreadable = None;
     for path in &arguments.files {
-        let findings = validate(path)?;
+        let findings = match validate(path) {
+            Ok(findings) => findings,
+            Err(error) => {
+                if arguments.json {
+                    results.push(json!({ "file": path, "error": error.to_string() }));
+                }
+                if let Some(earlier) = unreadable.replace(error) {
+                    console::error(&earlier);
+                }
+                continue;
+            }
+        };
         if findings.iter().any(|f| f.problem.severity == Severity::Error) {
             outcome = Outcome::FoundProblems;
         }
@@ -42,7 +56,14 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     if arguments.json {
         console::print(format_args!("{:#}", json!(results)))?;
     }
-    Ok(outcome)
+    match (unreadable, outcome) {
+        (Some(error), Outcome::Done) => Err(error.into()),
+        (Some(error), outcome) => {
+            console::error(&error);
+            Ok(outcome)
+        }
+        (None, outcome) => Ok(outcome),
+    }
 }
 
 fn json(finding: &Finding) -> serde_json::Value {
