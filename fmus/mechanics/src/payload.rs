@@ -34,10 +34,7 @@ impl<R: Scalar> Payload<R> {
         Self { direction, velocity: rate * length }
     }
 
-    /// ṅ = (w − v⊥)/ℓ, where u⊥ is the part of u across n.
-    ///
-    /// All parts are taken across n/|n|, and w too: then ṅ is across n whatever rounding and integration have done, and
-    /// their errors stay what they are. With n itself an error of |n| feeds itself while the pivot moves along the cable.
+    /// ṅ = (w − v⊥)/ℓ of the unit vector, where u⊥ is the part of u across n.
     pub fn direction_rate(&self, suspension: &Suspension<R>) -> Vector<R> {
         across(self.velocity - suspension.pivot, self.unit()) / suspension.length
     }
@@ -45,13 +42,20 @@ impl<R: Scalar> Payload<R> {
     /// ṅ and ẇ = (g + F/m)⊥ − (n·v + ℓ̇) ṅ − (w·ṅ) n − d ℓ ṅ.
     ///
     /// `pull` is g + F/m (m/s²), `damping` is d (1/s), for small swing 2ζω.
+    ///
+    /// Integration leaves |n| ≠ 1 and n·w ≠ 0. So that these errors neither grow nor matter, the equations are those of
+    /// n/|n| and of w⊥ = w − s n/|n|: ṅ is scaled by |n|, and ẇ carries s along with s ṅ, which keeps |n| and s as they
+    /// are. With n and w themselves an error of |n| would feed itself while the pivot moves along the cable.
     pub fn rates(&self, suspension: &Suspension<R>, pull: Vector<R>, damping: R) -> Self {
-        let n = self.unit();
-        let w = across(self.velocity, n);
+        let size = self.direction.dot(&self.direction).sqrt();
+        let n = self.direction / size;
         let Suspension { pivot: v, length, length_rate } = *suspension;
-        let n_rate = self.direction_rate(suspension);
-        let w_rate = across(pull, n) - n_rate * (n.dot(&v) + length_rate + damping * length) - n * w.dot(&n_rate);
-        Self { direction: n_rate, velocity: w_rate }
+        let n_rate = across(self.velocity - v, n) / length;
+        let along = n.dot(&self.velocity);
+        let w_rate = across(pull, n)
+            - n_rate * (n.dot(&v) + length_rate + damping * length - along)
+            - n * self.velocity.dot(&n_rate);
+        Self { direction: n_rate * size, velocity: w_rate }
     }
 
     /// The amplitude (rad) the payload would swing with if the pivot kept its present velocity and the hoist stopped:

@@ -192,6 +192,10 @@ fn errors_of_the_constraints_do_not_feed_themselves() {
         let suspension = Suspension { pivot: n * 50.0 + velocity * 0.3, length: 7.0, length_rate: next() };
         let change = payload.rates(&suspension, Vector::new(0.0, 0.0, -G), 0.0);
         assert!(change.direction.dot(&n).abs() < 1e-14 * suspension.pivot.norm());
+        // Nor does n·w: d(n·w)/dt = ṅ·w + n·ẇ over |n|.
+        let size = payload.direction.norm();
+        let along = (change.direction / size).dot(&velocity) + n.dot(&change.velocity);
+        assert!(along.abs() < 1e-12 * suspension.pivot.norm_squared(), "{along}");
     }
 }
 
