@@ -57,6 +57,32 @@ def test_a_state_goes_on_to_the_same_bits(case):
         assert steps(instance, TAKEN, MORE) == expected, "the other instance has left this one alone"
 
 
+def test_a_state_keeps_the_pace_of_the_integrator(fmu):
+    """In steps that the error control divides, where the next bits depend on the length it has come to."""
+    long, observed = 2.0, fmu.observed()
+
+    def go_on(instance, first):
+        seen = []
+        for k in range(first, first + 4):
+            instance.api.doStep(k * long, long)
+            seen.append(instance.get(observed))
+        return seen
+
+    with Instance(fmu, "CoSimulation") as instance, Instance(fmu, "CoSimulation") as other:
+        instance.initialize(fmu.with_files({}), sequence(fmu, 2), tolerance=1e-9)
+        go_on(instance, 0)
+        state = instance.api.getFMUState()
+        data = instance.api.serializeFMUState(state)
+        expected = go_on(instance, 4)
+        instance.api.setFMUState(state)
+        assert go_on(instance, 4) == expected
+        instance.api.freeFMUState(state)
+        copy = other.api.deserializeFMUState(data)
+        other.api.setFMUState(copy)
+        other.api.freeFMUState(copy)
+        assert go_on(other, 4) == expected
+
+
 def test_a_state_goes_on_in_another_process(fmu):
     """The bytes say all there is to know."""
     with under_way(fmu, {}) as instance:

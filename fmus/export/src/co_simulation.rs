@@ -43,6 +43,7 @@ impl<M: Model> Instance<M> {
             self.check_inputs()?;
         }
         let (t, next_event, disturbed) = (self.t, self.next_event, self.disturbed);
+        let wanted = self.flow.wanted_step();
         self.backup.begin(&self.x);
         self.course.begin(current, &self.u);
         self.t = current;
@@ -54,7 +55,7 @@ impl<M: Model> Instance<M> {
             self.backup.restore(&mut self.x, &mut self.d, self.memory.as_mut());
             (self.t, self.next_event, self.disturbed) = (t, next_event, disturbed);
             self.moved();
-            self.flow.restart();
+            self.flow.begin_anew_with(wanted);
         }
         // Derivatives of inputs are for one step (FMI 2.0.5, 4.2.1); the inputs stay where they have got to.
         self.course.hold();

@@ -88,7 +88,17 @@ impl<M: Model> Flow<M> {
 
     /// Forgets all of the past.
     pub fn restart(&mut self) {
-        self.h = f64::INFINITY;
+        self.begin_anew_with(f64::INFINITY);
+    }
+
+    /// The length that the error control wants for the next step.
+    pub fn wanted_step(&self) -> f64 {
+        self.h
+    }
+
+    /// Begins anew with a step of this length.
+    pub fn begin_anew_with(&mut self, h: f64) {
+        self.h = h;
         self.begin_anew();
     }
 

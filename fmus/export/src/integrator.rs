@@ -73,6 +73,10 @@ impl DormandPrince {
         }
         let mut worst = 0.0;
         for i in 0..x.len() {
+            // An infinite state would make any error look small beside it.
+            if !self.end[i].is_finite() {
+                return f64::NAN;
+            }
             let error: f64 = E.iter().zip(&self.k).map(|(e, k)| e * k[i]).sum();
             let scale = tolerance * nominal[i].max(x[i].abs()).max(self.end[i].abs());
             let part = (h * error / scale).abs();

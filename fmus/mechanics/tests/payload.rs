@@ -192,10 +192,15 @@ fn errors_of_the_constraints_do_not_feed_themselves() {
         let suspension = Suspension { pivot: n * 50.0 + velocity * 0.3, length: 7.0, length_rate: next() };
         let change = payload.rates(&suspension, Vector::new(0.0, 0.0, -G), 0.0);
         assert!(change.direction.dot(&n).abs() < 1e-14 * suspension.pivot.norm());
-        // Nor does n·w: d(n·w)/dt = ṅ·w + n·ẇ over |n|.
+        // What matters moves as it would without the errors: n/|n|, and w⊥ = w − s n/|n| with s as it is.
         let size = payload.direction.norm();
-        let along = (change.direction / size).dot(&velocity) + n.dot(&change.velocity);
-        assert!(along.abs() < 1e-12 * suspension.pivot.norm_squared(), "{along}");
+        let s = n.dot(&velocity);
+        let clean = Payload { direction: n, velocity: velocity - n * s };
+        let expected = clean.rates(&suspension, Vector::new(0.0, 0.0, -G), 0.0);
+        let turning = change.direction / size;
+        assert!((turning - expected.direction).norm() < 1e-12 * suspension.pivot.norm());
+        let across = change.velocity - turning * s;
+        assert!((across - expected.velocity).norm() < 1e-12 * suspension.pivot.norm_squared());
     }
 }
 

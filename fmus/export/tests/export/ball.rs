@@ -102,7 +102,8 @@ impl Model for Ball {
     type States<R: Scalar> = States<R>;
     type Outputs<R: Scalar> = Outputs<R>;
     type Discrete<R: Scalar> = Discrete<R>;
-    type Memory = ();
+    /// How often it has ticked.
+    type Memory = i32;
     type Indicators = [f64; 1];
 
     fn derivatives<R: Scalar>(at: &Point<'_, Self, R>) -> States<R> {
@@ -138,9 +139,10 @@ impl Model for Ball {
         if at.p.tick == 0.0 {
             return None;
         }
-        if !at.initial && at.t >= f64::from(at.d.ticks + 1) * at.p.tick {
-            at.d.ticks += 1;
+        if !at.initial && at.t >= f64::from(*at.memory + 1) * at.p.tick {
+            *at.memory += 1;
+            at.d.ticks = *at.memory;
         }
-        Some(f64::from(at.d.ticks + 1) * at.p.tick)
+        Some(f64::from(*at.memory + 1) * at.p.tick)
     }
 }

@@ -4,7 +4,7 @@ use std::ffi::c_void;
 use std::ptr::null_mut;
 
 use swayless_export::abi::fmi3::{ERROR, OK};
-use swayless_export::fmi3;
+use swayless_export::{fmi2, fmi3};
 
 use crate::ball::Ball;
 use crate::host::Host;
@@ -167,4 +167,19 @@ fn a_state_can_be_taken_anew_into_its_place() {
     assert_eq!(ball.step(0.2, 0.1), OK);
     assert_eq!(state.set(&ball), OK);
     assert_eq!(ball.get("height"), height);
+}
+
+#[test]
+fn derivatives_of_inputs_are_part_of_a_state() {
+    let ball = under_way();
+    let (push, rate) = (ball.reference("push"), 5.0);
+    // SAFETY: an instance, which is the same in both versions, and one value each.
+    assert_eq!(unsafe { fmi2::fmi2SetRealInputDerivatives::<Ball>(ball.instance, &push, 1, &1, &rate) }, OK);
+    let bytes = State::of(&ball).bytes();
+    let other = Host::co_simulation();
+    assert_eq!(State::read(&other, &bytes).unwrap().set(&other), OK);
+    assert_eq!((ball.step(0.4, 0.01), other.step(0.4, 0.01)), (OK, OK));
+    assert_eq!(ball.get("push"), 0.1 * 3.0 + rate * ((0.4 + 0.01) - 0.4));
+    assert_eq!(other.get("push").to_bits(), ball.get("push").to_bits());
+    assert_eq!(other.get("velocity").to_bits(), ball.get("velocity").to_bits());
 }
