@@ -3,6 +3,7 @@
 //! The rules are those of FMI 2.0.5 section 2.2 and FMI 3.0.2 section 2.4 together with what established checkers make
 //! of them. Where the standard leaves room, or where importers merely stumble, the problem is a warning.
 
+mod clocks;
 mod definitions;
 mod document;
 mod lines;
@@ -51,6 +52,7 @@ fn check_with(description: &ModelDescription, lines: &Lines, report: &mut Report
         values::check(scope, variable, report);
     }
     references::check(scope, report);
+    clocks::check(scope, report);
     structure::check(scope, report);
 }
 
@@ -96,6 +98,23 @@ impl<'a> Scope<'a> {
     /// The type that a variable declares.
     fn declared_type(&self, variable: &Variable) -> Option<&'a TypeDefinition> {
         self.types.get(variable.declared_type.as_deref()?).copied()
+    }
+
+    /// What a clock says of its ticks: itself where it does, else its type.
+    fn clock(&self, variable: &Variable) -> Option<Clock> {
+        let declared = self.declared_type(variable).and_then(|definition| definition.clock);
+        let (Some(own), Some(declared)) = (variable.clock, declared) else { return variable.clock.or(declared) };
+        Some(Clock {
+            interval_variability: own.interval_variability,
+            can_be_deactivated: own.can_be_deactivated || declared.can_be_deactivated,
+            priority: own.priority.or(declared.priority),
+            interval_decimal: own.interval_decimal.or(declared.interval_decimal),
+            shift_decimal: own.shift_decimal.or(declared.shift_decimal),
+            supports_fraction: own.supports_fraction || declared.supports_fraction,
+            resolution: own.resolution.or(declared.resolution),
+            interval_counter: own.interval_counter.or(declared.interval_counter),
+            shift_counter: own.shift_counter.or(declared.shift_counter),
+        })
     }
 
     /// A variable's own attributes where it has them, else those of its type.

@@ -1,5 +1,4 @@
-//! How variables refer to each other: value references, aliases, the independent variable, derivatives, dimensions,
-//! clocks.
+//! How variables refer to each other: value references, aliases, the independent variable, derivatives, dimensions.
 
 use super::Scope;
 use super::lines::Part;
@@ -15,7 +14,6 @@ pub(super) fn check(scope: &Scope<'_>, report: &mut Report) {
     }
     independent(scope, report);
     let states = states(scope.description);
-    let mut befores = HashSet::new();
     for (index, variable) in scope.description.variables.iter().enumerate() {
         derivative(scope, index, variable, report);
         // Without model exchange, states need not be exposed.
@@ -24,15 +22,6 @@ pub(super) fn check(scope: &Scope<'_>, report: &mut Report) {
                 .error(variable.line, format!("`{}` is no continuous state and must not have `reinit`", variable.name));
         }
         dimensions(scope, variable, report);
-        clocks(scope, index, variable, report);
-        if let Some(previous) = variable.previous
-            && !befores.insert(previous)
-        {
-            report.error(
-                variable.line,
-                format!("the previous value of `{}` is also that of another variable", variable.name),
-            );
-        }
     }
 }
 
@@ -172,41 +161,6 @@ fn dimensions(scope: &Scope<'_>, variable: &Variable, report: &mut Report) {
                     }
                 }
             },
-        }
-    }
-}
-
-fn clocks(scope: &Scope<'_>, index: usize, variable: &Variable, report: &mut Report) {
-    let line = variable.line;
-    let name = &variable.name;
-    for reference in &variable.clocks {
-        if scope.by_reference(*reference).is_none_or(|clock| clock.data_type != DataType::Clock) {
-            report.error(line, format!("`{name}` has the clock with value reference {reference}, which is no clock"));
-        }
-    }
-    if !variable.clocks.is_empty() && !matches!(variable.variability, Variability::Discrete | Variability::Tunable) {
-        report.error(line, format!("`{name}` has clocks and must be discrete or tunable"));
-    }
-    let Some(previous) = variable.previous else { return };
-    if variable.clocks.is_empty() || variable.variability != Variability::Discrete {
-        report.error(line, format!("`{name}` has a previous value and must be discrete and have clocks"));
-    }
-    match scope.variable(previous) {
-        None => report.error(line, format!("the previous value of `{name}` does not exist")),
-        Some(_) if previous == index => report.error(line, format!("`{name}` is its own previous value")),
-        Some(before) => {
-            let fits = before.data_type == variable.data_type
-                && before.variability == Variability::Discrete
-                && before.causality != Causality::Input;
-            if !fits {
-                report.error(
-                    line,
-                    format!(
-                        "`{}`, the previous value of `{name}`, must be of its type, discrete and no input",
-                        before.name
-                    ),
-                );
-            }
         }
     }
 }

@@ -136,7 +136,7 @@ fn types(node: &Node, report: &mut Report) -> Vec<TypeDefinition> {
             (attributes(child, &mut fields, data_type, VERSION, report), Vec::new())
         };
         fields.finish(report);
-        types.push(TypeDefinition { name, description, data_type, attributes, items });
+        types.push(TypeDefinition { name, description, data_type, attributes, items, clock: None });
     }
     types
 }

@@ -122,37 +122,41 @@ fn types(node: &Node, report: &mut Report) -> Vec<TypeDefinition> {
                 check_children(node, &[], report);
                 Vec::new()
             },
+            clock: clock(data_type, &mut fields, report),
         };
-        special_attributes(data_type, &mut fields, report);
+        binary(data_type, &mut fields, report);
         fields.finish(report);
         types.push(definition);
     }
     types
 }
 
-/// Attributes that we check and then do without: of clocks and of binaries.
-fn special_attributes(data_type: DataType, fields: &mut Fields<'_>, report: &mut Report) {
-    match data_type {
-        DataType::Clock => {
-            fields.flag("canBeDeactivated", report);
-            fields.value::<u32>("priority", report);
-            let kinds = ["constant", "fixed", "tunable", "changing", "countdown", "triggered"].map(|name| (name, ()));
-            if fields.one_of("intervalVariability", &kinds, report).is_none() {
-                fields.required("intervalVariability", report);
-            }
-            for key in ["intervalDecimal", "shiftDecimal"] {
-                fields.value::<f64>(key, report);
-            }
-            fields.flag("supportsFraction", report);
-            for key in ["resolution", "intervalCounter", "shiftCounter"] {
-                fields.value::<u64>(key, report);
-            }
-        }
-        DataType::Binary => {
-            fields.get("mimeType");
-            fields.value::<u64>("maxSize", report);
-        }
-        _ => {}
+/// What a clock or its type says; `None` for everything else, and when it does not say when it ticks.
+fn clock(data_type: DataType, fields: &mut Fields<'_>, report: &mut Report) -> Option<Clock> {
+    if data_type != DataType::Clock {
+        return None;
+    }
+    let variability = fields.required_one_of("intervalVariability", &IntervalVariability::NAMES, report);
+    // Without it, the others are still asked for, so that nobody calls them unknown.
+    let clock = Clock {
+        interval_variability: variability.unwrap_or(IntervalVariability::Triggered),
+        can_be_deactivated: fields.flag("canBeDeactivated", report),
+        priority: fields.value("priority", report),
+        interval_decimal: fields.value("intervalDecimal", report),
+        shift_decimal: fields.value("shiftDecimal", report),
+        supports_fraction: fields.flag("supportsFraction", report),
+        resolution: fields.value("resolution", report),
+        interval_counter: fields.value("intervalCounter", report),
+        shift_counter: fields.value("shiftCounter", report),
+    };
+    variability.map(|_| clock)
+}
+
+/// Attributes of a binary, which we check and then do without.
+fn binary(data_type: DataType, fields: &mut Fields<'_>, report: &mut Report) {
+    if data_type == DataType::Binary {
+        fields.get("mimeType");
+        fields.value::<u64>("maxSize", report);
     }
 }
 
@@ -193,9 +197,7 @@ fn variable(node: &Node, data_type: DataType, report: &mut Report) -> (Variable,
     if data_type == DataType::Enumeration && variable.declared_type.is_none() {
         fields.required("declaredType", report);
     }
-    if data_type == DataType::Clock {
-        variable.initial = None;
-    } else {
+    if data_type != DataType::Clock {
         read_initial(node, &mut fields, &mut variable, VERSION, report);
         variable.intermediate_update = fields.flag("intermediateUpdate", report);
         references.previous = fields.value("previous", report);
@@ -206,7 +208,8 @@ fn variable(node: &Node, data_type: DataType, report: &mut Report) -> (Variable,
         references.derivative = fields.value("derivative", report);
         variable.reinit = fields.flag("reinit", report);
     }
-    special_attributes(data_type, &mut fields, report);
+    variable.clock = clock(data_type, &mut fields, report);
+    binary(data_type, &mut fields, report);
     fields.finish(report);
     children(node, &mut variable, report);
     (variable, references)

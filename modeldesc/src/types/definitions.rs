@@ -1,6 +1,6 @@
 //! Units and types.
 
-use super::{FmiVersion, name_of};
+use super::{Clock, FmiVersion, name_of};
 
 /// A `Unit` with its display units.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -55,6 +55,8 @@ pub struct TypeDefinition {
     pub attributes: Attributes,
     /// The items, when [`DataType::Enumeration`].
     pub items: Vec<Item>,
+    /// When its clocks tick, when [`DataType::Clock`].
+    pub clock: Option<Clock>,
 }
 
 /// An `Item` of an enumeration.

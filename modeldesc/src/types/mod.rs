@@ -1,11 +1,13 @@
 //! What a model description says, the same for FMI 2.0 and FMI 3.0.
 
+mod clock;
 mod definitions;
 mod interface;
 mod structure;
 mod variability;
 mod variable;
 
+pub use clock::{Clock, IntervalVariability};
 pub use definitions::{Attributes, BaseUnit, DataType, DisplayUnit, Item, TypeDefinition, Unit};
 pub use interface::Interface;
 pub use structure::{DependencyKind, ModelStructure, Unknown};

@@ -1,6 +1,6 @@
 //! Variables.
 
-use super::{Attributes, Causality, DataType, Initial, Variability};
+use super::{Attributes, Causality, Clock, DataType, Initial, Variability};
 
 /// A variable of `ModelVariables`.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,7 +15,7 @@ pub struct Variable {
     pub causality: Causality,
     /// `variability`.
     pub variability: Variability,
-    /// `initial`: as written, or what the standard's table says when it is not.
+    /// `initial`: as written, or what the standard's table says when it is not; a clock has none.
     pub initial: Option<Initial>,
     /// The type.
     pub data_type: DataType,
@@ -40,6 +40,8 @@ pub struct Variable {
     /// `previous`: the variable that holds its value before the clock tick, as an index into
     /// [`ModelDescription::variables`](super::ModelDescription::variables) (FMI 3.0).
     pub previous: Option<usize>,
+    /// When it ticks, when [`DataType::Clock`].
+    pub clock: Option<Clock>,
     /// `Alias` elements (FMI 3.0).
     pub aliases: Vec<Alias>,
     /// The line it begins in, 0 when it was not read from a file.
@@ -62,7 +64,10 @@ impl Variable {
             description: None,
             causality,
             variability,
-            initial: Initial::default_for(causality, variability),
+            initial: match data_type {
+                DataType::Clock => None,
+                _ => Initial::default_for(causality, variability),
+            },
             data_type,
             declared_type: None,
             attributes: Attributes::default(),
@@ -74,6 +79,7 @@ impl Variable {
             intermediate_update: false,
             clocks: Vec::new(),
             previous: None,
+            clock: None,
             aliases: Vec::new(),
             line: 0,
         }

@@ -41,6 +41,9 @@ fn refuse_what_is_new(description: &ModelDescription) -> Result<(), WriteError> 
     }
     for variable in &description.variables {
         let name = &variable.name;
+        if variable.clock.is_some() {
+            return Err(WriteError::Attributes { place: name.clone(), data_type: variable.data_type });
+        }
         let what = if !variable.dimensions.is_empty() {
             "dimensions"
         } else if !variable.aliases.is_empty() {

@@ -66,8 +66,8 @@ fn shared_flags(name: &'static str, interface: &Interface) -> Element {
 }
 
 /// The element of a type definition.
-fn type_element(data_type: DataType, of: &str) -> Result<&'static str, WriteError> {
-    Ok(match data_type {
+fn type_element(data_type: DataType) -> &'static str {
+    match data_type {
         DataType::Float32 => "Float32Type",
         DataType::Float64 => "Float64Type",
         DataType::Int8 => "Int8Type",
@@ -82,13 +82,51 @@ fn type_element(data_type: DataType, of: &str) -> Result<&'static str, WriteErro
         DataType::String => "StringType",
         DataType::Binary => "BinaryType",
         DataType::Enumeration => "EnumerationType",
-        DataType::Clock => return Err(no_clocks(of)),
-    })
+        DataType::Clock => "ClockType",
+    }
 }
 
-/// Our types do not hold what the standard demands of a clock (its `intervalVariability`).
-fn no_clocks(name: &str) -> WriteError {
-    WriteError::not_in("FMI 3.0", format!("the clock `{name}`, without its interval,"))
+/// What a clock says of its ticks, which nothing else may and a clock must say.
+fn ticks(element: Element, data_type: DataType, clock: Option<&Clock>, place: &str) -> Result<Element, WriteError> {
+    let clock = match (data_type, clock) {
+        (DataType::Clock, Some(clock)) => clock,
+        (DataType::Clock, None) => {
+            return Err(WriteError::not_in("FMI 3.0", format!("the clock `{place}`, without its interval,")));
+        }
+        (_, None) => return Ok(element),
+        (_, Some(_)) => return Err(WriteError::Attributes { place: place.to_owned(), data_type }),
+    };
+    let counter = |value: Option<u64>| value.map(|value| value.to_string());
+    Ok(element
+        .text("intervalVariability", clock.interval_variability.as_str())
+        .flag("canBeDeactivated", clock.can_be_deactivated)
+        .maybe("priority", clock.priority.map(|value| value.to_string()).as_deref())
+        .maybe_float("intervalDecimal", clock.interval_decimal)
+        .maybe_float("shiftDecimal", clock.shift_decimal)
+        .flag("supportsFraction", clock.supports_fraction)
+        .maybe("resolution", counter(clock.resolution).as_deref())
+        .maybe("intervalCounter", counter(clock.interval_counter).as_deref())
+        .maybe("shiftCounter", counter(clock.shift_counter).as_deref()))
+}
+
+/// A clock is a scalar without a value of its own.
+fn refuse_what_clocks_have_not(variable: &Variable) -> Result<(), WriteError> {
+    let what = if !variable.dimensions.is_empty() {
+        "dimensions"
+    } else if variable.previous.is_some() {
+        "previous"
+    } else if variable.derivative.is_some() {
+        "derivative"
+    } else if variable.initial.is_some() {
+        "initial"
+    } else if variable.intermediate_update {
+        "intermediateUpdate"
+    } else if variable.reinit {
+        "reinit"
+    } else {
+        return Ok(());
+    };
+    Err(WriteError::not_in("FMI 3.0", format!("{what} of the clock `{}`", variable.name)))
 }
 
 fn types(document: &mut Document, types: &[TypeDefinition]) -> Result<(), WriteError> {
@@ -97,10 +135,11 @@ fn types(document: &mut Document, types: &[TypeDefinition]) -> Result<(), WriteE
     }
     document.open(Element::new("TypeDefinitions"));
     for definition in types {
-        let element = Element::new(type_element(definition.data_type, &definition.name)?)
+        let element = Element::new(type_element(definition.data_type))
             .text("name", &definition.name)
             .maybe("description", definition.description.as_deref());
         let element = attributes(element, definition.data_type, &definition.attributes, VERSION, &definition.name)?;
+        let element = ticks(element, definition.data_type, definition.clock.as_ref(), &definition.name)?;
         if definition.items.is_empty() {
             document.empty(element);
         } else {
@@ -119,7 +158,7 @@ fn write_variable(
     description: &ModelDescription,
 ) -> Result<(), WriteError> {
     if variable.data_type == DataType::Clock {
-        return Err(no_clocks(&variable.name));
+        refuse_what_clocks_have_not(variable)?;
     }
     let place = format!("`{}`", variable.name);
     let element = variable_head(Element::new(variable.data_type.as_str()), variable);
@@ -132,7 +171,8 @@ fn write_variable(
     if let Some(index) = variable.previous {
         element = element.text("previous", &reference(index, description, &place)?);
     }
-    let mut element = attributes(element, variable.data_type, &variable.attributes, VERSION, &variable.name)?;
+    let element = attributes(element, variable.data_type, &variable.attributes, VERSION, &variable.name)?;
+    let mut element = ticks(element, variable.data_type, variable.clock.as_ref(), &variable.name)?;
     let starts = start_elements(variable);
     if starts.is_none() {
         element = element.maybe("start", start(variable, VERSION)?.as_deref());
@@ -156,6 +196,9 @@ fn write_variable(
     }
     starts.into_iter().for_each(|e| document.empty(e));
     for alias in &variable.aliases {
+        if alias.display_unit.is_some() && !variable.data_type.is_float() {
+            return Err(WriteError::Attributes { place: alias.name.clone(), data_type: variable.data_type });
+        }
         document.empty(
             Element::new("Alias")
                 .text("name", &alias.name)

@@ -89,6 +89,19 @@ impl<'a> Fields<'a> {
         found
     }
 
+    /// One of several names, which must be there; its absence is reported.
+    pub(crate) fn required_one_of<T: Copy>(
+        &mut self,
+        key: &'static str,
+        names: &[(&'static str, T)],
+        report: &mut Report,
+    ) -> Option<T> {
+        if self.get(key).is_none() {
+            self.missing(key, report);
+        }
+        self.one_of(key, names, report)
+    }
+
     fn wrong(&self, key: &str, text: &str, expected: &str, report: &mut Report) {
         let short: String = text.chars().take(40).collect();
         report.error(self.node.line, format!("`{key}` of `{}` is `{short}` but must be {expected}", self.node.name));

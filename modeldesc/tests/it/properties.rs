@@ -56,6 +56,7 @@ fn data_type(version: FmiVersion) -> impl Strategy<Value = DataType> {
             String,
             Binary,
             Enumeration,
+            Clock,
         ],
     })
 }
@@ -101,6 +102,7 @@ fn start(data_type: DataType, version: FmiVersion) -> BoxedStrategy<Option<Start
         DataType::Boolean => some(any::<bool>(), size, Start::Boolean),
         DataType::String => some(text(), size, Start::String),
         DataType::Binary => some(any::<Vec<u8>>(), size, Start::Binary),
+        DataType::Clock => Just(None).boxed(),
         _ => {
             let (least, greatest) = data_type.integer_range(version).unwrap_or((0, 0));
             some(least..=greatest, size, Start::Integer)
@@ -108,33 +110,70 @@ fn start(data_type: DataType, version: FmiVersion) -> BoxedStrategy<Option<Start
     }
 }
 
+/// What a clock may say of its ticks.
+fn ticks() -> impl Strategy<Value = Clock> {
+    use IntervalVariability as I;
+    let decimal = || prop::option::of(number());
+    let counter = || prop::option::of(any::<u64>());
+    (
+        select(vec![I::Constant, I::Fixed, I::Tunable, I::Changing, I::Countdown, I::Triggered]),
+        any::<[bool; 2]>(),
+        prop::option::of(any::<u32>()),
+        (decimal(), decimal(), counter(), counter(), counter()),
+    )
+        .prop_map(|(interval_variability, flags, priority, times)| Clock {
+            interval_variability,
+            can_be_deactivated: flags[0],
+            priority,
+            interval_decimal: times.0,
+            shift_decimal: times.1,
+            supports_fraction: flags[1],
+            resolution: times.2,
+            interval_counter: times.3,
+            shift_counter: times.4,
+        })
+}
+
+/// A dimension; `Variable(0)` has to be there.
+fn dimension() -> impl Strategy<Value = Dimension> {
+    prop_oneof![(1..5_u64).prop_map(Dimension::Fixed), Just(Dimension::Variable(0))]
+}
+
 /// A variable; whether it makes sense is another question.
 fn variable(version: FmiVersion) -> impl Strategy<Value = Variable> {
     use {Causality as C, Variability as V};
-    let causality = select(vec![C::Parameter, C::CalculatedParameter, C::Input, C::Output, C::Local, C::Independent]);
+    let causality = move || {
+        let mut known = vec![C::Parameter, C::CalculatedParameter, C::Input, C::Output, C::Local, C::Independent];
+        known.extend((version == FmiVersion::V3).then_some(C::StructuralParameter));
+        select(known)
+    };
     let variability = select(vec![V::Constant, V::Fixed, V::Tunable, V::Discrete, V::Continuous]);
     data_type(version).prop_flat_map(move |data_type| {
         (
-            (text(), maybe_text(), causality.clone(), variability.clone(), any::<bool>(), text()),
+            (text(), maybe_text(), causality(), variability.clone(), any::<bool>(), text()),
             attributes(data_type, version),
             start(data_type, version),
-            (any::<bool>(), any::<bool>(), prop::collection::vec(1..5_u64, 0..3)),
+            (any::<bool>(), any::<bool>(), prop::collection::vec(dimension(), 0..3)),
             prop::collection::vec((text(), maybe_text(), maybe_text()), 0..2),
             prop::option::of(select(vec![Initial::Exact, Initial::Approx, Initial::Calculated])),
+            (ticks(), prop::collection::vec(any::<u32>(), 0..3)),
         )
-            .prop_map(move |(names, attributes, start, flags, aliases, initial)| {
+            .prop_map(move |(names, attributes, start, flags, aliases, initial, (ticks, clocks))| {
                 let (name, description, causality, variability, multiple, declared) = names;
                 let new = version == FmiVersion::V3;
                 let mut variable = Variable::new(name, 0, data_type, causality, variability);
-                if !matches!(causality, C::Input | C::Independent) && initial.is_some() {
+                let is_clock = data_type == DataType::Clock;
+                variable.clock = is_clock.then_some(ticks);
+                if !matches!(causality, C::Input | C::Independent) && initial.is_some() && !is_clock {
                     variable.initial = initial;
                 }
                 variable.declared_type = (data_type == DataType::Enumeration || flags.0).then_some(declared);
                 variable.reinit = data_type.is_float() && flags.0;
-                variable.intermediate_update = new && flags.1;
+                variable.intermediate_update = new && flags.1 && !is_clock;
                 variable.can_handle_multiple_set_per_time_instant = multiple;
                 if new {
-                    variable.dimensions = flags.2.into_iter().map(Dimension::Fixed).collect();
+                    variable.dimensions = if is_clock { Vec::new() } else { flags.2 };
+                    variable.clocks = clocks;
                     variable.aliases = aliases
                         .into_iter()
                         .map(|(name, description, display)| Alias {
@@ -181,14 +220,15 @@ fn definitions(version: FmiVersion) -> impl Strategy<Value = (Vec<Unit>, Vec<Typ
         })
     };
     let definition = data_type(version).prop_flat_map(move |data_type| {
-        (text(), maybe_text(), attributes(data_type, version), prop::collection::vec(item(), 1..3)).prop_map(
-            move |(name, description, mut attributes, items)| {
+        (text(), maybe_text(), attributes(data_type, version), prop::collection::vec(item(), 1..3), ticks()).prop_map(
+            move |(name, description, mut attributes, items, ticks)| {
                 let enumeration = data_type == DataType::Enumeration;
                 if enumeration && version == FmiVersion::V2 {
                     (attributes.min, attributes.max) = (None, None);
                 }
                 let items = if enumeration { items } else { Vec::new() };
-                TypeDefinition { name, description, data_type, attributes, items }
+                let clock = (data_type == DataType::Clock).then_some(ticks);
+                TypeDefinition { name, description, data_type, attributes, items, clock }
             },
         )
     });
@@ -202,16 +242,16 @@ fn description() -> impl Strategy<Value = ModelDescription> {
         (variables, definitions(version)).prop_flat_map(move |(variables, definitions)| {
             let count = variables.len();
             (
-                prop::array::uniform4(unknowns(count)),
-                prop::collection::vec(prop::option::of(0..count), count),
+                prop::array::uniform5(unknowns(count)),
+                prop::collection::vec(prop::option::of((0..count, 0..count)), count),
                 prop::collection::vec(maybe_text(), 9),
                 prop::array::uniform4(prop::option::of(number())),
-                any::<[bool; 10]>(),
+                any::<[bool; 16]>(),
                 any::<u32>(),
             )
                 .prop_map(move |(lists, derivatives, texts, times, flags, number)| {
                     let mut md = ModelDescription::new(version, "m", "t");
-                    let [outputs, states, unknowns, indicators] = lists;
+                    let [outputs, states, unknowns, indicators, clocked] = lists;
                     let mut texts = texts.into_iter();
                     let mut next = || texts.next().flatten();
                     md.description = next();
@@ -221,25 +261,32 @@ fn description() -> impl Strategy<Value = ModelDescription> {
                     md.license = next();
                     md.generation_tool = next();
                     md.generation_date_and_time = next();
-                    md.co_simulation = Some(interface(version, next(), &flags, number));
+                    let new = version == FmiVersion::V3;
+                    md.co_simulation = Some(co_simulation(version, next(), &flags, number));
                     md.model_exchange = flags[9].then(|| Interface {
-                        model_identifier: next().unwrap_or_default(),
                         needs_completed_integrator_step: flags[8],
-                        ..Interface::default()
+                        provides_evaluate_discrete_states: flags[10] && new,
+                        ..interface(version, next(), &flags)
                     });
+                    md.scheduled_execution = (new && flags[11]).then(|| interface(version, next(), &flags));
                     let [start_time, stop_time, tolerance, step_size] = times;
                     md.default_experiment = Some(DefaultExperiment { start_time, stop_time, tolerance, step_size });
                     (md.units, md.type_definitions) = definitions.clone();
                     md.variables = variables.clone();
                     for (reference, (variable, derivative)) in md.variables.iter_mut().zip(derivatives).enumerate() {
                         variable.value_reference = u32::try_from(reference).unwrap_or_default();
-                        variable.derivative = derivative.filter(|_| variable.data_type.is_float());
+                        let is_clock = variable.data_type == DataType::Clock;
+                        variable.derivative =
+                            derivative.map(|(state, _)| state).filter(|_| variable.data_type.is_float());
+                        variable.previous =
+                            derivative.map(|(_, before)| before).filter(|_| version == FmiVersion::V3 && !is_clock);
                     }
                     md.structure.outputs = outputs;
                     md.structure.derivatives = states;
                     md.structure.initial_unknowns = unknowns;
                     if version == FmiVersion::V3 {
                         md.structure.event_indicators = indicators;
+                        md.structure.clocked_states = clocked;
                     }
                     md.number_of_event_indicators = match version {
                         FmiVersion::V2 => usize::try_from(number % 1000).unwrap_or_default(),
@@ -251,7 +298,8 @@ fn description() -> impl Strategy<Value = ModelDescription> {
     })
 }
 
-fn interface(version: FmiVersion, name: Option<String>, flags: &[bool; 10], number: u32) -> Interface {
+/// What all interfaces have.
+fn interface(version: FmiVersion, name: Option<String>, flags: &[bool; 16]) -> Interface {
     let new = version == FmiVersion::V3;
     Interface {
         model_identifier: name.unwrap_or_default(),
@@ -262,11 +310,26 @@ fn interface(version: FmiVersion, name: Option<String>, flags: &[bool; 10], numb
         can_serialize_fmu_state: flags[4],
         provides_directional_derivatives: flags[5],
         provides_adjoint_derivatives: flags[6] && new,
+        provides_per_element_dependencies: flags[12] && new,
+        ..Interface::default()
+    }
+}
+
+fn co_simulation(version: FmiVersion, name: Option<String>, flags: &[bool; 16], number: u32) -> Interface {
+    let new = version == FmiVersion::V3;
+    Interface {
         can_handle_variable_communication_step_size: flags[7],
         fixed_internal_step_size: new.then_some(0.25),
+        can_interpolate_inputs: flags[8] && !new,
         max_output_derivative_order: number,
+        recommended_intermediate_input_smoothness: if new { number.cast_signed() } else { 0 },
+        can_run_asynchronuously: flags[13] && !new,
+        provides_intermediate_update: flags[13] && new,
+        might_return_early_from_do_step: flags[14] && new,
+        can_return_early_after_intermediate_update: flags[15] && new,
         has_event_mode: flags[8] && new,
-        ..Interface::default()
+        provides_evaluate_discrete_states: flags[9] && new,
+        ..interface(version, name, flags)
     }
 }
 
@@ -275,6 +338,7 @@ fn document() -> impl Strategy<Value = String> {
     select(vec![
         include_str!("../golden/fmi2.xml"),
         include_str!("../golden/fmi3.xml"),
+        include_str!("../golden/fmi3_clocks.xml"),
         include_str!("../golden/crane_written.ssd"),
         include_str!("../golden/crane_by_hand.ssd"),
     ])

@@ -124,6 +124,18 @@ fn broken_forms_are_reported_in_their_line() {
 }
 
 #[test]
+fn clocks_are_reported_in_their_line() {
+    let clocks = include_str!("../golden/fmi3_clocks.xml");
+    let kind = "one of constant, fixed, tunable, changing, countdown, triggered";
+    let description = problem(clocks, "intervalVariability=\"countdown\"", "intervalVariability=\"calculated\"", kind);
+    assert!(description.variables.iter().any(|v| v.name == "ticks.countdown" && v.clock.is_none()));
+    problem(clocks, "intervalVariability=\"countdown\"", "", "needs the attribute `intervalVariability`");
+    problem(clocks, "priority=\"4\"", "priority=\"-4\"", "must be a whole number");
+    problem(clocks, "priority=\"4\"", "initial=\"exact\"", "has no attribute `initial`");
+    problem(clocks, "priority=\"4\"", "start=\"true\"", "has no attribute `start`");
+}
+
+#[test]
 fn order_number_and_emptiness_of_elements_are_reported() {
     let (_, problems) = read(
         "<fmiModelDescription fmiVersion='3.0' modelName='m' instantiationToken='t'>

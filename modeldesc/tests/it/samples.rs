@@ -52,6 +52,7 @@ pub fn pendulum(version: FmiVersion) -> ModelDescription {
                 ..Attributes::default()
             },
             items: Vec::new(),
+            clock: None,
         },
         TypeDefinition {
             name: "Kind".to_owned(),
@@ -62,6 +63,7 @@ pub fn pendulum(version: FmiVersion) -> ModelDescription {
                 Item { name: "Hook".to_owned(), value: 1, description: None },
                 Item { name: "Payload".to_owned(), value: 2, description: Some("and hook".to_owned()) },
             ],
+            clock: None,
         },
     ];
     md.log_categories = vec![LogCategory { name: "logStatusError".to_owned(), description: None }];
@@ -171,6 +173,95 @@ pub fn pendulum_with_arrays() -> ModelDescription {
     md.number_of_event_indicators = 1;
     md.structure.event_indicators =
         vec![Unknown { variable: 12, dependencies: Some(Vec::new()), ..Unknown::default() }];
+    md
+}
+
+/// The pendulum with everything that ticks: clocks of every kind, a clock type, a clocked state with its previous value,
+/// and all three interfaces.
+pub fn pendulum_with_clocks() -> ModelDescription {
+    use Causality as C;
+    use IntervalVariability as I;
+    let mut md = pendulum_with_arrays();
+    md.scheduled_execution = Some(Interface {
+        model_identifier: "Pendulum".to_owned(),
+        can_get_and_set_fmu_state: true,
+        provides_adjoint_derivatives: true,
+        ..Interface::default()
+    });
+    let co_simulation = md.co_simulation.get_or_insert_default();
+    co_simulation.provides_intermediate_update = true;
+    co_simulation.can_return_early_after_intermediate_update = true;
+    co_simulation.might_return_early_from_do_step = true;
+    co_simulation.recommended_intermediate_input_smoothness = 1;
+    co_simulation.provides_evaluate_discrete_states = true;
+    co_simulation.provides_per_element_dependencies = true;
+    md.type_definitions.push(TypeDefinition {
+        name: "Sampling".to_owned(),
+        description: Some("Ten times a second".to_owned()),
+        data_type: DataType::Clock,
+        attributes: Attributes::default(),
+        items: Vec::new(),
+        clock: Some(Clock {
+            interval_decimal: Some(0.1),
+            supports_fraction: true,
+            resolution: Some(10),
+            interval_counter: Some(1),
+            ..Clock::new(I::Fixed)
+        }),
+    });
+    let clock = |name: &str, reference, causality, clock| Variable {
+        clock: Some(clock),
+        ..Variable::new(name, reference, DataType::Clock, causality, Variability::Discrete)
+    };
+    let priority = |variability, priority| Clock { priority: Some(priority), ..Clock::new(variability) };
+    let constant = Clock {
+        can_be_deactivated: true,
+        interval_decimal: Some(0.5),
+        shift_decimal: Some(0.25),
+        supports_fraction: true,
+        resolution: Some(4),
+        interval_counter: Some(2),
+        shift_counter: Some(1),
+        ..priority(I::Constant, 0)
+    };
+    md.variables.push(Variable {
+        aliases: vec![Alias { name: "beat".to_owned(), description: None, display_unit: None }],
+        ..clock("ticks.constant", 100, C::Input, constant)
+    });
+    md.variables.push(Variable {
+        declared_type: Some("Sampling".to_owned()),
+        ..clock("ticks.fixed", 101, C::Input, priority(I::Fixed, 1))
+    });
+    md.variables.extend([
+        clock("ticks.tunable", 102, C::Input, priority(I::Tunable, 2)),
+        clock("ticks.changing", 103, C::Input, priority(I::Changing, 3)),
+        clock("ticks.countdown", 104, C::Input, priority(I::Countdown, 4)),
+        clock("ticks.triggered", 105, C::Input, priority(I::Triggered, 5)),
+        clock("ticks.out", 106, C::Output, Clock::new(I::Triggered)),
+    ]);
+    let first = md.variables.len();
+    let counter = |name: &str, reference| Variable {
+        clocks: vec![100, 101],
+        ..Variable::new(name, reference, DataType::UInt64, C::Local, Variability::Discrete)
+    };
+    md.variables.push(Variable { previous: Some(first + 1), ..counter("count", 107) });
+    md.variables.push(counter("count.before", 108));
+    md.structure.outputs.push(Unknown {
+        variable: first - 1,
+        dependencies: Some(vec![first - 7]),
+        ..Unknown::default()
+    });
+    md.structure.clocked_states.push(Unknown {
+        variable: first,
+        dependencies: Some(vec![first - 7, first - 6]),
+        dependencies_kind: Some(vec![DependencyKind::Dependent; 2]),
+        line: 0,
+    });
+    for name in ["swing.angle", "swing.push"] {
+        if let Some(variable) = md.variables.iter_mut().find(|variable| variable.name == name) {
+            variable.intermediate_update = true;
+        }
+    }
     md
 }
 

@@ -1,6 +1,6 @@
 //! The writer, against golden files that were checked by eye and by the standards' schemas.
 
-use crate::samples::{pendulum, pendulum_with_arrays};
+use crate::samples::{pendulum, pendulum_with_arrays, pendulum_with_clocks};
 use swayless_modeldesc::types::*;
 use swayless_modeldesc::write::{WriteError, write};
 
@@ -22,6 +22,34 @@ fn fmi2_is_written_as_expected() {
 #[test]
 fn fmi3_is_written_as_expected() {
     golden(&pendulum_with_arrays(), "fmi3.xml", include_str!("../golden/fmi3.xml"));
+}
+
+#[test]
+fn clocks_are_written_as_expected() {
+    golden(&pendulum_with_clocks(), "fmi3_clocks.xml", include_str!("../golden/fmi3_clocks.xml"));
+}
+
+#[test]
+fn clocks_say_when_they_tick_and_nothing_that_only_values_have() {
+    let refused = |change: fn(&mut Variable), part: &str| {
+        let mut description = pendulum_with_clocks();
+        let clock = description.variables.iter_mut().find(|variable| variable.name == "ticks.out");
+        change(clock.expect("a clock of the sample"));
+        let error = write(&description).expect_err("what a clock cannot say");
+        assert!(error.to_string().contains(part), "{error}");
+    };
+    refused(|clock| clock.clock = None, "clock `ticks.out`, without its interval");
+    refused(|clock| clock.dimensions = vec![Dimension::Fixed(1)], "dimensions of the clock");
+    refused(|clock| clock.previous = Some(1), "previous of the clock");
+    refused(|clock| clock.derivative = Some(1), "derivative of the clock");
+    refused(|clock| clock.initial = Some(Initial::Exact), "initial of the clock");
+    refused(|clock| clock.intermediate_update = true, "intermediateUpdate of the clock");
+    refused(|clock| clock.reinit = true, "reinit of the clock");
+    refused(|clock| clock.start = Some(Start::Boolean(vec![true])), "the start value of `ticks.out`");
+    let alias = Alias { name: "a".to_owned(), description: None, display_unit: Some("deg".to_owned()) };
+    let mut description = pendulum_with_clocks();
+    description.variables[4].aliases = vec![alias];
+    assert!(matches!(write(&description), Err(WriteError::Attributes { .. })));
 }
 
 /// The error of writing the FMI 2.0 pendulum after a change.
@@ -72,6 +100,10 @@ fn what_contradicts_itself_is_refused() {
         let error = refusal(|d| change(&mut d.variables[4].attributes));
         assert!(matches!(error, WriteError::Attributes { .. }), "{error}");
     }
+    assert!(matches!(
+        refusal(|d| d.variables[4].clock = Some(Clock::new(IntervalVariability::Triggered))),
+        WriteError::Attributes { .. }
+    ));
     assert!(matches!(
         refusal(|d| d.author = Some("\u{0}".to_owned())),
         WriteError::IllegalCharacter { character: '\0', .. }

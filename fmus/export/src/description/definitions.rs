@@ -47,6 +47,7 @@ pub fn types<M: Model>(units: &[Unit]) -> Vec<TypeDefinition> {
             ..Attributes::default()
         },
         items: Vec::new(),
+        clock: None,
     });
     quantities.chain(enumerations::<M>()).collect()
 }
@@ -71,6 +72,7 @@ fn enumerations<M: Model>() -> Vec<TypeDefinition> {
                 data_type: DataType::Enumeration,
                 attributes: Attributes::default(),
                 items: items.collect(),
+                clock: None,
             });
         }
     }
