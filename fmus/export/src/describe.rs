@@ -1,13 +1,13 @@
 //! `swayless_describe`: what the packager asks a library for.
 
 use std::ffi::{CStr, c_char, c_int, c_void};
-use std::panic::catch_unwind;
 
 use swayless_abi::describe::{DOCUMENTATION, FMI2, FMI3, ICON, Sink};
 use swayless_modeldesc::types::FmiVersion;
 
 use crate::description;
 use crate::model::Model;
+use crate::panics::caught;
 
 /// An item of the description of a model.
 fn item<M: Model>(name: &CStr) -> Option<String> {
@@ -29,7 +29,7 @@ pub unsafe fn swayless_describe<M: Model>(name: *const c_char, sink: Option<Sink
     let Some(sink) = sink.filter(|_| !name.is_null()) else { return 1 };
     // SAFETY: not NULL, so a text by the caller's promise.
     let name = unsafe { CStr::from_ptr(name) };
-    match catch_unwind(|| item::<M>(name)) {
+    match caught(|| item::<M>(name)) {
         Ok(Some(text)) => {
             // SAFETY: the caller's sink with its own context, and bytes that live during the call.
             unsafe { sink(context, text.as_ptr(), text.len()) };

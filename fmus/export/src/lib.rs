@@ -22,6 +22,7 @@ mod layout;
 mod log;
 mod model;
 mod model_exchange;
+mod panics;
 mod phase;
 mod raw;
 mod raw_state;

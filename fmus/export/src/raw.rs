@@ -1,15 +1,14 @@
 //! Where C meets Rust: pointers are checked, panics caught, and refusals turned into a status and a log message.
 
-use std::any::Any;
 use std::borrow::Cow;
 use std::ffi::{CStr, CString, c_char, c_void};
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::ptr;
 
 use crate::instance::{Instance, Refusal};
 use crate::log::{Category, Log, Severity};
 use crate::model::Model;
+use crate::panics::caught;
 use crate::phase::{Call, Interface, Phase};
 use crate::token;
 
@@ -93,7 +92,7 @@ pub fn instantiate<M: Model>(
     log: Log,
     resources: Option<PathBuf>,
 ) -> *mut c_void {
-    let made = catch_unwind(AssertUnwindSafe(|| {
+    let made = caught(|| {
         let refuse = |message: &str| {
             log.write(name.unwrap_or_default(), Category::Status(Severity::Error), message);
         };
@@ -112,14 +111,8 @@ pub fn instantiate<M: Model>(
             return ptr::null_mut();
         }
         Box::into_raw(Box::new(Instance::<M>::new(interface, name, log, resources))).cast()
-    }));
+    });
     made.unwrap_or(ptr::null_mut())
-}
-
-/// What a panic said.
-fn reason(panic: &(dyn Any + Send)) -> &str {
-    let text = panic.downcast_ref::<String>().map(String::as_str);
-    text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("no reason given")
 }
 
 /// Frees an instance; NULL is nothing to do.
@@ -130,7 +123,7 @@ pub unsafe fn free<M: Model>(instance: *mut c_void) {
     if !instance.is_null() {
         // SAFETY: by the caller's promise this is the box that `instantiate` gave away.
         let instance = unsafe { Box::from_raw(instance.cast::<Instance<M>>()) };
-        let _ = catch_unwind(AssertUnwindSafe(|| drop(instance)));
+        let _ = caught(|| drop(instance));
     }
 }
 
@@ -156,17 +149,17 @@ pub unsafe fn call<M: Model>(
     }
     // SAFETY: not NULL, so by the caller's promise an instance of this model that nobody else uses now.
     let instance = unsafe { &mut *instance.cast::<Instance<M>>() };
-    let outcome = catch_unwind(AssertUnwindSafe(|| {
+    let outcome = caught(|| {
         instance.allow(call, function)?;
         body(instance)
-    }));
+    });
     let refusal = match outcome {
         Ok(Ok(())) => return 0,
         Ok(Err(refusal)) => refusal,
-        Err(panic) => {
-            let why = reason(&*panic);
-            Refusal { severity: Severity::Fatal, message: format!("internal error: {why}; please report it") }
-        }
+        Err(why) => Refusal {
+            severity: Severity::Fatal,
+            message: format!("internal error in {function}: {why}; please report it"),
+        },
     };
     match refusal.severity {
         Severity::Fatal => instance.phase = Phase::Broken,

@@ -13,7 +13,7 @@ use super::{Failure, Outcome, console};
 /// force; `target.<triple>.rustflags` in a cargo configuration would let local paths into the binaries.
 #[derive(Debug, clap::Args)]
 pub struct Arguments {
-    /// FMUs to build, by name (BoomCrane) or crate (boom-crane) [default: all]
+    /// FMUs to build, by name (BoomCrane) or crate (boom-crane) [default: all below fmus/]
     #[arg(value_name = "FMU")]
     names: Vec<String>,
     /// The workspace's folder or Cargo.toml [default: the one around the current folder]
@@ -25,6 +25,9 @@ pub struct Arguments {
     /// Where the folders fmi2 and fmi3 are made [default: `fmus` in the target folder]
     #[arg(long, short, value_name = "DIR")]
     output_dir: Option<PathBuf>,
+    /// With all below fmus/, those below tests/fmus/ too
+    #[arg(long)]
+    test_fmus: bool,
     /// Print the result as JSON
     #[arg(long)]
     json: bool,
@@ -36,6 +39,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         target_dir: arguments.target_dir.clone(),
         output_dir: arguments.output_dir.clone(),
         names: arguments.names.clone(),
+        test_fmus: arguments.test_fmus,
     })?;
     if arguments.json {
         let fmus: Vec<_> = built

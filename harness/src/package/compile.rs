@@ -16,16 +16,29 @@ const PROFILE: &str = "fmu";
 /// Separates flags in `CARGO_ENCODED_RUSTFLAGS`.
 const SEPARATOR: char = '\x1f';
 
-/// Compiles all FMU crates in one run of cargo and returns the libraries of those wanted, in the same order. All, since
-/// cargo unites the features of the packages it is given: the bytes of one would depend on the others it is built with.
+/// Compiles FMU crates and returns their libraries, in the same order. Cargo unites the features of the packages it is
+/// given, so that the bytes of one depend on the others it is built with: all that are shipped are built in one run, and
+/// those for tests in another.
 pub fn compile(workspace: &Workspace, crates: &[FmuCrate], target_dir: &Path) -> Result<Vec<PathBuf>, Error> {
+    let mut artifacts = Vec::new();
+    for is_test in [false, true] {
+        if crates.iter().any(|c| c.is_test == is_test) {
+            let together: Vec<_> = workspace.crates.iter().filter(|c| c.is_test == is_test).collect();
+            artifacts.extend(run(workspace, &together, target_dir)?);
+        }
+    }
+    crates.iter().map(|c| library(&artifacts, c).ok_or_else(|| Error::NoLibrary(c.name.clone()))).collect()
+}
+
+/// One run of cargo, and what it produced.
+fn run(workspace: &Workspace, crates: &[&FmuCrate], target_dir: &Path) -> Result<Vec<Artifact>, Error> {
     let program = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut command = Command::new(&program);
     // Cargo reads configuration from the current folder upwards, so it is run in the workspace, as a user would.
     command.current_dir(&workspace.root);
     command.args(["build", "--profile", PROFILE, "--message-format", "json-render-diagnostics", "--target-dir"]);
     command.arg(target_dir);
-    for krate in &workspace.crates {
+    for krate in crates {
         command.args(["--package", &krate.name]);
     }
     remap_paths(&mut command, workspace);
@@ -45,7 +58,7 @@ pub fn compile(workspace: &Workspace, crates: &[FmuCrate], target_dir: &Path) ->
     if !child.wait().map_err(Error::Messages)?.success() {
         return Err(Error::Compile);
     }
-    crates.iter().map(|c| library(&artifacts, c).ok_or_else(|| Error::NoLibrary(c.name.clone()))).collect()
+    Ok(artifacts)
 }
 
 /// The dynamic library among what cargo produced for a crate.

@@ -17,7 +17,7 @@ pub enum Error {
     #[error("cannot read the cargo workspace: run this inside a clone of Swayless, or name one with --workspace")]
     Workspace(#[source] cargo_metadata::Error),
     /// The workspace holds no FMUs.
-    #[error("{} has no FMU crates: packages below fmus/ that build a cdylib", .0.display())]
+    #[error("{} has no FMU crates: packages below fmus/ or tests/fmus/ that build a cdylib", .0.display())]
     NoFmus(PathBuf),
     /// An FMU of this name is not in the workspace.
     #[error("there is no FMU named `{name}`{}; known are {}", hint(suggestion), known.join(", "))]

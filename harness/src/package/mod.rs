@@ -27,8 +27,10 @@ pub struct Options {
     pub target_dir: Option<PathBuf>,
     /// Where the folders `fmi2` and `fmi3` are made; `fmus` in the target folder unless given.
     pub output_dir: Option<PathBuf>,
-    /// The FMUs wanted, by name (`BoomCrane`) or by crate (`boom-crane`); all when empty.
+    /// The FMUs wanted, by name (`BoomCrane`) or by crate (`boom-crane`); all that are shipped when empty.
     pub names: Vec<String>,
+    /// With all that are shipped, those below `tests/fmus/` too.
+    pub test_fmus: bool,
 }
 
 /// One FMU, packaged for both versions.
@@ -67,7 +69,7 @@ impl Built {
 /// Compiles and packages. What cargo has to say goes to stderr; `progress` hears of each archive before it is written.
 pub fn build(options: &Options, mut progress: impl FnMut(&str)) -> Result<Built, Error> {
     let workspace = workspace::Workspace::find(options.workspace.as_deref())?;
-    let crates = workspace.select(&options.names)?;
+    let crates = workspace.select(&options.names, options.test_fmus)?;
     let target_dir = absolute(options.target_dir.as_deref().unwrap_or(&workspace.target_dir))?;
     let output_dir = match &options.output_dir {
         Some(folder) => absolute(folder)?,

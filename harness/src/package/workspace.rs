@@ -13,6 +13,8 @@ pub struct FmuCrate {
     pub name: String,
     /// The package's description.
     pub description: String,
+    /// Whether it is there for tests only, below `tests/fmus/`.
+    pub is_test: bool,
 }
 
 /// A workspace with its FMU crates, in the order of their names.
@@ -37,13 +39,17 @@ impl Workspace {
         };
         let metadata = command.exec().map_err(Error::Workspace)?;
         let root = metadata.workspace_root.clone().into_std_path_buf();
-        let fmus = metadata.workspace_root.join("fmus");
+        let (fmus, tests) = (metadata.workspace_root.join("fmus"), metadata.workspace_root.join("tests/fmus"));
         let mut crates: Vec<FmuCrate> = metadata
             .workspace_packages()
             .into_iter()
-            .filter(|p| p.manifest_path.starts_with(&fmus))
+            .filter(|p| p.manifest_path.starts_with(&fmus) || p.manifest_path.starts_with(&tests))
             .filter(|p| p.targets.iter().any(|t| t.kind.contains(&TargetKind::CDyLib)))
-            .map(|p| FmuCrate { name: p.name.to_string(), description: p.description.clone().unwrap_or_default() })
+            .map(|p| FmuCrate {
+                name: p.name.to_string(),
+                description: p.description.clone().unwrap_or_default(),
+                is_test: p.manifest_path.starts_with(&tests),
+            })
             .collect();
         crates.sort_by(|a, b| a.name.cmp(&b.name));
         if crates.is_empty() {
@@ -52,8 +58,8 @@ impl Workspace {
         Ok(Self { root, target_dir: metadata.target_directory.into_std_path_buf(), crates })
     }
 
-    /// The crates of these names, or all when none is given.
-    pub fn select(&self, names: &[String]) -> Result<Vec<FmuCrate>, Error> {
+    /// The crates of these names; when none is given, all that are shipped, and those for tests if wanted.
+    pub fn select(&self, names: &[String], test_fmus: bool) -> Result<Vec<FmuCrate>, Error> {
         for name in names {
             if !self.crates.iter().any(|c| plain(&c.name) == plain(name)) {
                 let known: Vec<String> = self.crates.iter().map(|c| c.name.clone()).collect();
@@ -66,7 +72,10 @@ impl Workspace {
                 return Err(Error::UnknownFmu { name: name.clone(), suggestion, known });
             }
         }
-        let wanted = |c: &&FmuCrate| names.is_empty() || names.iter().any(|n| plain(n) == plain(&c.name));
+        let wanted = |c: &&FmuCrate| match names {
+            [] => test_fmus || !c.is_test,
+            _ => names.iter().any(|n| plain(n) == plain(&c.name)),
+        };
         Ok(self.crates.iter().filter(wanted).cloned().collect())
     }
 

@@ -31,14 +31,15 @@ pub fn locked<T>(name: &str, work: impl FnOnce() -> T) -> T {
     work()
 }
 
-/// All FMUs. Cargo decides what is out of date.
+/// All FMUs, those for tests included. Cargo decides what is out of date.
 pub fn all() -> &'static Built {
     static BUILT: LazyLock<Result<Built, package::Error>> = LazyLock::new(|| {
         let options = Options {
             workspace: Some(repository().to_owned()),
             target_dir: Some(target()),
             output_dir: Some(target().join("fmus")),
-            names: Vec::new(),
+            test_fmus: true,
+            ..Options::default()
         };
         locked("package", || package::build(&options, |_| ()))
     });

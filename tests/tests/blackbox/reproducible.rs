@@ -17,17 +17,18 @@ fn another_folder_gives_the_same_bytes() {
             workspace: Some(copy.clone()),
             target_dir: Some(target().join("reproducible")),
             output_dir: Some(target().join("reproducible/fmus")),
-            names: Vec::new(),
+            ..Options::default()
         };
         let built = package::build(&options, |_| ()).unwrap_or_else(|error| panic!("{error}"));
         assert_eq!(built.workspace, copy.canonicalize().expect("the copy"));
-        for (here, there) in packaged::all().packages.iter().zip(&built.packages) {
+        assert!(!built.packages.is_empty());
+        for there in &built.packages {
+            let here = packaged::all().packages.iter().find(|here| here.name == there.name).expect("the same FMU");
             for (a, b) in [(&here.fmi2, &there.fmi2), (&here.fmi3, &there.fmi3)] {
                 let same = std::fs::read(a).expect("an archive") == std::fs::read(b).expect("an archive");
                 assert!(same, "{} and {} differ", a.display(), b.display());
             }
         }
-        assert_eq!(packaged::all().packages.len(), built.packages.len());
     });
 }
 
