@@ -31,7 +31,8 @@ def pytest_generate_tests(metafunc):
         ids = ["/".join(key) + "-" + label(variant) for key, _, variant in cases]
         metafunc.parametrize("case", [(fmu, variant) for _, fmu, variant in cases], ids=ids)
     if "both" in metafunc.fixturenames:
-        names = sorted({name for _, name in FMUS})
+        # An FMU with clocks has no archive for FMI 2.0.
+        names = sorted(name for version, name in FMUS if version == "fmi2")
         cases = [(name, variant) for name in names for variant in FMUS["fmi2", name].variants()]
         pairs = [(FMUS["fmi2", name], FMUS["fmi3", name], variant) for name, variant in cases]
         metafunc.parametrize("both", pairs, ids=[f"{name}-{label(variant)}" for name, variant in cases])

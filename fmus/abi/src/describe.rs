@@ -19,6 +19,8 @@ pub type Describe = unsafe extern "C" fn(*const c_char, Option<Sink>, *mut c_voi
 pub const FMI2: &core::ffi::CStr = c"fmi2/modelDescription.xml";
 /// `modelDescription.xml` for FMI 3.0.
 pub const FMI3: &core::ffi::CStr = c"fmi3/modelDescription.xml";
+/// `modelDescription.xml` of the FMU with clocks, `<Name>Clocked`, for FMI 3.0; most libraries have none.
+pub const CLOCKED: &core::ffi::CStr = c"fmi3-clocked";
 /// The documentation page, in Markdown.
 pub const DOCUMENTATION: &core::ffi::CStr = c"documentation.md";
 /// The icon, in SVG.

@@ -8,7 +8,8 @@ use super::{Failure, Outcome, console};
 
 /// Compile the FMUs and package each for FMI 2.0 and FMI 3.0.
 ///
-/// Writes <OUTPUT-DIR>/fmi2/<Name>.fmu and <OUTPUT-DIR>/fmi3/<Name>.fmu. The same source, toolchain and lock file give
+/// Writes <OUTPUT-DIR>/fmi2/<Name>.fmu and <OUTPUT-DIR>/fmi3/<Name>.fmu, and <OUTPUT-DIR>/fmi3/<Name>Clocked.fmu where
+/// an FMU has clocks. The same source, toolchain and lock file give
 /// the same bytes from any folder. RUSTFLAGS in the environment and `build.rustflags` in a cargo configuration stay in
 /// force; `target.<triple>.rustflags` in a cargo configuration would let local paths into the binaries.
 #[derive(Debug, clap::Args)]
@@ -28,6 +29,10 @@ pub struct Arguments {
     /// With all below fmus/, those below tests/fmus/ too
     #[arg(long)]
     test_fmus: bool,
+    /// Make libraries for old Linux systems too: they need no symbol newer than GLIBC_2.28. Takes cargo-zigbuild and
+    /// zig (`pip install cargo-zigbuild ziglang`)
+    #[arg(long)]
+    portable: bool,
     /// Print the result as JSON
     #[arg(long)]
     json: bool,
@@ -40,22 +45,29 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         output_dir: arguments.output_dir.clone(),
         names: arguments.names.clone(),
         test_fmus: arguments.test_fmus,
+        portable: arguments.portable,
     })?;
     if arguments.json {
-        let fmus: Vec<_> = built
-            .packages
-            .iter()
-            .map(
-                |p| serde_json::json!({ "name": p.name, "description": p.description, "fmi2": p.fmi2, "fmi3": p.fmi3 }),
-            )
-            .collect();
+        let fmus: Vec<_> = built.packages.iter().map(json).collect();
         console::print(format_args!("{:#}", serde_json::json!(fmus)))?;
     } else {
         for package in &built.packages {
-            console::print(format_args!("{}\n{}", package.fmi2.display(), package.fmi3.display()))?;
+            for archive in package.archives() {
+                console::print(archive.display())?;
+            }
         }
     }
     Ok(Outcome::Done)
+}
+
+/// A package as JSON; `clocked` is there if there is one.
+fn json(package: &package::Package) -> serde_json::Value {
+    let package::Package { name, description, fmi2, fmi3, clocked } = package;
+    let mut json = serde_json::json!({ "name": name, "description": description, "fmi2": fmi2, "fmi3": fmi3 });
+    if let Some(clocked) = clocked {
+        json["clocked"] = serde_json::json!(clocked);
+    }
+    json
 }
 
 /// Builds, telling of the progress.

@@ -13,9 +13,15 @@ use zip::{CompressionMethod, DateTime};
 use super::describe::Parts;
 use super::{Error, icon, page};
 
-/// What goes into both archives of an FMU.
+/// What goes into an archive.
 #[derive(Debug, Clone, Copy)]
 pub struct Contents<'a> {
+    /// The version whose layout it gets.
+    pub version: FmiVersion,
+    /// `modelIdentifier`.
+    pub name: &'a str,
+    /// `modelDescription.xml`.
+    pub description: &'a str,
     /// What the library says about itself.
     pub parts: &'a Parts,
     /// The library.
@@ -24,9 +30,9 @@ pub struct Contents<'a> {
     pub license: Option<&'a str>,
 }
 
-/// Writes the archive for one version, by way of a temporary file: nobody ever sees half of one.
-pub fn write(path: &Path, version: FmiVersion, contents: &Contents) -> Result<(), Error> {
-    let entries = entries(version, contents)?;
+/// Writes the archive, by way of a temporary file: nobody ever sees half of one.
+pub fn write(path: &Path, contents: &Contents) -> Result<(), Error> {
+    let entries = entries(contents)?;
     let folder = path.parent().unwrap_or(Path::new("."));
     std::fs::create_dir_all(folder).map_err(Error::io(folder))?;
     let mut file = tempfile::Builder::new().suffix(".fmu").tempfile_in(folder).map_err(Error::io(folder))?;
@@ -48,22 +54,19 @@ fn readable_by_all(file: &std::fs::File) -> std::io::Result<()> {
 }
 
 /// Names and contents, in the order in which they are packed: the description first, where a reader looks for it.
-fn entries(version: FmiVersion, contents: &Contents) -> Result<Vec<(String, Vec<u8>)>, Error> {
-    let Contents { parts, binary, license } = contents;
-    let page = page::page(&parts.name, &parts.documentation);
+fn entries(contents: &Contents) -> Result<Vec<(String, Vec<u8>)>, Error> {
+    let Contents { version, name, description, parts, binary, license } = *contents;
+    let page = page::page(name, &parts.documentation);
     let svg = parts.icon.as_bytes();
     let mut entries: Vec<(String, Vec<u8>)> = Vec::new();
     let mut add = |name: &str, bytes: &[u8]| entries.push((name.to_owned(), bytes.to_owned()));
-    let binary_name = format!("binaries/{}/{}.{}", platform(version)?, parts.name, std::env::consts::DLL_EXTENSION);
+    let binary_name = format!("binaries/{}/{}.{}", platform(version)?, name, std::env::consts::DLL_EXTENSION);
+    add("modelDescription.xml", description.as_bytes());
     match version {
-        FmiVersion::V2 => {
-            add("modelDescription.xml", parts.fmi2.as_bytes());
-            add("model.png", &icon::png(&parts.icon, &parts.name)?);
-        }
+        FmiVersion::V2 => add("model.png", &icon::png(&parts.icon, name)?),
         FmiVersion::V3 => {
-            add("modelDescription.xml", parts.fmi3.as_bytes());
             // An SVG there requires the PNG beside it; `terminalsAndIcons.xml` is for terminals and may be absent.
-            add("terminalsAndIcons/icon.png", &icon::png(&parts.icon, &parts.name)?);
+            add("terminalsAndIcons/icon.png", &icon::png(&parts.icon, name)?);
             add("terminalsAndIcons/icon.svg", svg);
         }
     }
@@ -119,16 +122,21 @@ mod tests {
             name: "Sample".into(),
             fmi2: "<two/>".into(),
             fmi3: "<three/>".into(),
+            clocked: None,
             documentation: "# Sample\n\nWords.".into(),
             icon: r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10"><path d="M0 0h9v9z"/></svg>"#.into(),
         }
     }
 
+    fn contents<'a>(version: FmiVersion, parts: &'a Parts, binary: &'a [u8]) -> Contents<'a> {
+        Contents { version, name: &parts.name, description: &parts.fmi3, parts, binary, license: Some("licence") }
+    }
+
     #[test]
     fn each_version_has_its_layout() {
         let parts = parts();
-        let contents = Contents { parts: &parts, binary: b"binary", license: Some("licence") };
-        let names = |version| entries(version, &contents).unwrap().into_iter().map(|(n, _)| n).collect::<Vec<_>>();
+        let entries = |version| entries(&contents(version, &parts, b"binary")).unwrap();
+        let names = |version| entries(version).into_iter().map(|(name, _)| name).collect::<Vec<_>>();
         let (two, three) = (names(FmiVersion::V2), names(FmiVersion::V3));
         for names in [&two, &three] {
             assert_eq!(names[0], "modelDescription.xml");
@@ -143,10 +151,10 @@ mod tests {
     #[test]
     fn equal_contents_give_equal_bytes_that_unpack() {
         let parts = parts();
-        let contents = Contents { parts: &parts, binary: &[7; 10_000], license: None };
+        let contents = contents(FmiVersion::V3, &parts, &[7; 10_000]);
         let bytes = || {
             let mut buffer = Cursor::new(Vec::new());
-            pack(&mut buffer, &entries(FmiVersion::V3, &contents).unwrap()).unwrap();
+            pack(&mut buffer, &entries(&contents).unwrap()).unwrap();
             buffer.into_inner()
         };
         let first = bytes();

@@ -16,37 +16,48 @@ const PROFILE: &str = "fmu";
 /// Separates flags in `CARGO_ENCODED_RUSTFLAGS`.
 const SEPARATOR: char = '\x1f';
 
+/// The version of the GNU C library that portable libraries make do with.
+const GLIBC: &str = "2.28";
+
 /// Compiles FMU crates and returns their libraries, in the same order. Cargo unites the features of the packages it is
 /// given, so that the bytes of one depend on the others it is built with: all that are shipped are built in one run, and
 /// those for tests in another.
-pub fn compile(workspace: &Workspace, crates: &[FmuCrate], target_dir: &Path) -> Result<Vec<PathBuf>, Error> {
+pub fn compile(
+    workspace: &Workspace,
+    crates: &[FmuCrate],
+    target_dir: &Path,
+    portable: bool,
+) -> Result<Vec<PathBuf>, Error> {
     let mut artifacts = Vec::new();
     for is_test in [false, true] {
         if crates.iter().any(|c| c.is_test == is_test) {
             let together: Vec<_> = workspace.crates.iter().filter(|c| c.is_test == is_test).collect();
-            artifacts.extend(run(workspace, &together, target_dir)?);
+            artifacts.extend(run(builder(portable)?, workspace, &together, target_dir)?);
         }
     }
     crates.iter().map(|c| library(&artifacts, c).ok_or_else(|| Error::NoLibrary(c.name.clone()))).collect()
 }
 
 /// One run of cargo, and what it produced.
-fn run(workspace: &Workspace, crates: &[&FmuCrate], target_dir: &Path) -> Result<Vec<Artifact>, Error> {
-    let program = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let mut command = Command::new(&program);
+fn run(
+    mut command: Command,
+    workspace: &Workspace,
+    crates: &[&FmuCrate],
+    target_dir: &Path,
+) -> Result<Vec<Artifact>, Error> {
     // Cargo reads configuration from the current folder upwards, so it is run in the workspace, as a user would.
     command.current_dir(&workspace.root);
-    command.args(["build", "--profile", PROFILE, "--message-format", "json-render-diagnostics", "--target-dir"]);
+    command.args(["--profile", PROFILE, "--message-format", "json-render-diagnostics", "--target-dir"]);
     command.arg(target_dir);
     for krate in crates {
         command.args(["--package", &krate.name]);
     }
     remap_paths(&mut command, workspace);
-    let mut child = command
-        .stdin(Stdio::null())
-        .stdout(Stdio::piped())
-        .spawn()
-        .map_err(|source| Error::NoCargo { program: program.to_string_lossy().into_owned(), source })?;
+    command.stdin(Stdio::null()).stdout(Stdio::piped());
+    let mut child = command.spawn().map_err(|source| {
+        let program = command.get_program().to_string_lossy().into_owned();
+        Error::NoCargo { program, source }
+    })?;
     let mut artifacts = Vec::new();
     if let Some(stdout) = child.stdout.take() {
         for message in Message::parse_stream(BufReader::new(stdout)) {
@@ -59,6 +70,33 @@ fn run(workspace: &Workspace, crates: &[&FmuCrate], target_dir: &Path) -> Result
         return Err(Error::Compile);
     }
     Ok(artifacts)
+}
+
+/// The command that builds.
+fn builder(portable: bool) -> Result<Command, Error> {
+    if portable {
+        return zigbuild();
+    }
+    let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    command.arg("build");
+    Ok(command)
+}
+
+/// Cargo with zig as the linker: zig knows which symbols each version of the C library has.
+fn zigbuild() -> Result<Command, Error> {
+    const PROGRAM: &str = "cargo-zigbuild";
+    use std::env::consts::{ARCH, OS};
+    if OS != "linux" {
+        return Err(Error::PortableElsewhere(OS));
+    }
+    // Asks the tool for zig's compiler: both are there, or one message says what to do.
+    let asked = Command::new(PROGRAM).args(["zig", "cc", "--", "--version"]).stdin(Stdio::null()).output();
+    if !asked.is_ok_and(|answer| answer.status.success()) {
+        return Err(Error::NoZig);
+    }
+    let mut command = Command::new(PROGRAM);
+    command.args(["zigbuild", "--target", &format!("{ARCH}-unknown-linux-gnu.{GLIBC}")]);
+    Ok(command)
 }
 
 /// The dynamic library among what cargo produced for a crate.

@@ -18,10 +18,19 @@ pub struct Parts {
     pub fmi2: String,
     /// `modelDescription.xml` for FMI 3.0.
     pub fmi3: String,
+    /// `modelDescription.xml` of the FMU with clocks, for FMI 3.0, if there is one.
+    pub clocked: Option<String>,
     /// The documentation, in Markdown.
     pub documentation: String,
     /// The icon, in SVG.
     pub icon: String,
+}
+
+impl Parts {
+    /// `modelIdentifier` of the FMU with clocks.
+    pub fn clocked_name(&self) -> String {
+        format!("{}Clocked", self.name)
+    }
 }
 
 /// Loads the library and asks for all it can tell.
@@ -32,22 +41,40 @@ pub fn describe(path: &Path) -> Result<Parts, Error> {
     let library = unsafe { libloading::Library::new(path) }.map_err(load)?;
     // SAFETY: the symbol's type is fixed in `swayless_abi::describe`, from which the library exports it.
     let symbol = unsafe { library.get::<describe::Describe>(describe::SYMBOL) }.map_err(load)?;
-    let ask = |item: &CStr| -> Result<String, Error> {
+    let ask_for = |item: &CStr| -> Result<Option<String>, Error> {
         let mut answer = Vec::<u8>::new();
         // SAFETY: `item` ends in NUL; `collect` fits the context, a vector that outlives the call and is used by
         // nothing else during it.
         let status = unsafe { symbol(item.as_ptr(), Some(collect), (&raw mut answer).cast()) };
         if status != 0 {
-            return Err(Error::NoAnswer { path: path.to_owned(), item: item.to_string_lossy().into_owned() });
+            return Ok(None);
         }
-        String::from_utf8(answer).map_err(|_| Error::bad_answer(path, item, "is not UTF-8"))
+        String::from_utf8(answer).map(Some).map_err(|_| Error::bad_answer(path, item, "is not UTF-8"))
+    };
+    let ask = |item: &CStr| {
+        let none = || Error::NoAnswer { path: path.to_owned(), item: item.to_string_lossy().into_owned() };
+        ask_for(item)?.ok_or_else(none)
     };
     let (fmi2, fmi3) = (ask(describe::FMI2)?, ask(describe::FMI3)?);
     let name = name(path, describe::FMI3, &fmi3)?;
     if self::name(path, describe::FMI2, &fmi2)? != name {
         return Err(Error::bad_answer(path, describe::FMI2, format!("is not named `{name}` as that for FMI 3.0")));
     }
-    Ok(Parts { name, fmi2, fmi3, documentation: ask(describe::DOCUMENTATION)?, icon: ask(describe::ICON)? })
+    let parts = Parts {
+        name,
+        fmi2,
+        fmi3,
+        clocked: ask_for(describe::CLOCKED)?,
+        documentation: ask(describe::DOCUMENTATION)?,
+        icon: ask(describe::ICON)?,
+    };
+    if let Some(clocked) = &parts.clocked {
+        let wanted = parts.clocked_name();
+        if self::name(path, describe::CLOCKED, clocked)? != wanted {
+            return Err(Error::bad_answer(path, describe::CLOCKED, format!("is not named `{wanted}`")));
+        }
+    }
+    Ok(parts)
 }
 
 /// Takes the answer.
@@ -69,7 +96,8 @@ fn name(path: &Path, item: &CStr, xml: &str) -> Result<String, Error> {
     if let Some(problem) = problems.iter().find(|p| p.severity == Severity::Error) {
         return Err(bad(format!("is wrong: {problem}")));
     }
-    let name = description.co_simulation.or(description.model_exchange).map(|i| i.model_identifier).unwrap_or_default();
+    let interface = description.co_simulation.or(description.model_exchange).or(description.scheduled_execution);
+    let name = interface.map(|i| i.model_identifier).unwrap_or_default();
     let is_identifier = |name: &str| {
         name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
             && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')

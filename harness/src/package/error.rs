@@ -37,6 +37,15 @@ pub enum Error {
         /// What the system said.
         source: std::io::Error,
     },
+    /// A portable build needs tools that are not there.
+    #[error(
+        "a portable build takes cargo-zigbuild and zig, and one of them is not there: \
+         run `pip install cargo-zigbuild ziglang`, or build without --portable"
+    )]
+    NoZig,
+    /// A portable build is asked for where there is none.
+    #[error("a portable build is for Linux; on {0}, build without --portable")]
+    PortableElsewhere(&'static str),
     /// Cargo's answer cannot be read.
     #[error("cannot understand cargo's messages")]
     Messages(#[source] std::io::Error),

@@ -31,6 +31,8 @@ pub struct Options {
     pub names: Vec<String>,
     /// With all that are shipped, those below `tests/fmus/` too.
     pub test_fmus: bool,
+    /// Whether the libraries run on old systems as well; see [`build`].
+    pub portable: bool,
 }
 
 /// One FMU, packaged for both versions.
@@ -44,6 +46,15 @@ pub struct Package {
     pub fmi2: PathBuf,
     /// The archive for FMI 3.0.
     pub fmi3: PathBuf,
+    /// The archive of the FMU with clocks, for FMI 3.0, if the library has one.
+    pub clocked: Option<PathBuf>,
+}
+
+impl Package {
+    /// All its archives.
+    pub fn archives(&self) -> impl Iterator<Item = &Path> {
+        [&self.fmi2, &self.fmi3].into_iter().chain(&self.clocked).map(PathBuf::as_path)
+    }
 }
 
 /// What came of a build.
@@ -66,7 +77,11 @@ impl Built {
     }
 }
 
-/// Compiles and packages. What cargo has to say goes to stderr; `progress` hears of each archive before it is written.
+/// Compiles and packages. What cargo has to say goes to stderr; `progress` hears of each FMU before it is written.
+///
+/// A portable build is for Linux: its libraries need no symbol newer than GLIBC_2.28 and no library beside the C
+/// library's own. It takes `cargo-zigbuild` and `zig`, and puts the libraries into a folder of their own in the target
+/// folder.
 pub fn build(options: &Options, mut progress: impl FnMut(&str)) -> Result<Built, Error> {
     let workspace = workspace::Workspace::find(options.workspace.as_deref())?;
     let crates = workspace.select(&options.names, options.test_fmus)?;
@@ -75,7 +90,7 @@ pub fn build(options: &Options, mut progress: impl FnMut(&str)) -> Result<Built,
         Some(folder) => absolute(folder)?,
         None => target_dir.join("fmus"),
     };
-    let libraries = compile::compile(&workspace, &crates, &target_dir)?;
+    let libraries = compile::compile(&workspace, &crates, &target_dir, options.portable)?;
     let license = workspace.license()?;
     let mut built =
         Built { workspace: workspace.root.clone(), output_dir, packages: Vec::new(), with_local_paths: Vec::new() };
@@ -86,14 +101,17 @@ pub fn build(options: &Options, mut progress: impl FnMut(&str)) -> Result<Built,
         if compile::tells_where_it_was_built(&binary, &workspace) {
             built.with_local_paths.push(parts.name.clone());
         }
-        let contents = archive::Contents { parts: &parts, binary: &binary, license: license.as_deref() };
-        let write = |version| {
-            let path = built.output_dir.join(folder(version)).join(format!("{}.fmu", parts.name));
-            archive::write(&path, version, &contents).map(|()| path)
+        let write = |version, name: &str, description: &str| {
+            let path = built.output_dir.join(folder(version)).join(format!("{name}.fmu"));
+            let (parts, binary, license) = (&parts, &*binary, license.as_deref());
+            let contents = archive::Contents { version, name, description, parts, binary, license };
+            archive::write(&path, &contents).map(|()| path)
         };
+        let clocked = |description: &String| write(FmiVersion::V3, &parts.clocked_name(), description);
         built.packages.push(Package {
-            fmi2: write(FmiVersion::V2)?,
-            fmi3: write(FmiVersion::V3)?,
+            fmi2: write(FmiVersion::V2, &parts.name, &parts.fmi2)?,
+            fmi3: write(FmiVersion::V3, &parts.name, &parts.fmi3)?,
+            clocked: parts.clocked.as_ref().map(clocked).transpose()?,
             description: krate.description.clone(),
             name: parts.name,
         });

@@ -6,7 +6,7 @@ use std::process::Command;
 use std::sync::LazyLock;
 
 use swayless::Fmu;
-use swayless::package::{self, Built, Options};
+use swayless::package::{self, Built, Options, Package};
 use swayless_modeldesc::types::FmiVersion;
 
 /// The versions that every FMU is packaged for.
@@ -51,9 +51,9 @@ pub fn path(name: &str, version: FmiVersion) -> PathBuf {
     all().folder(version).join(format!("{name}.fmu"))
 }
 
-/// The archives of all FMUs in both versions.
+/// The archives of all FMUs, in both versions and with clocks where there are any.
 pub fn paths() -> Vec<PathBuf> {
-    all().packages.iter().flat_map(|package| [package.fmi2.clone(), package.fmi3.clone()]).collect()
+    all().packages.iter().flat_map(Package::archives).map(Path::to_owned).collect()
 }
 
 /// An opened FMU.
