@@ -16,6 +16,9 @@ pub struct Attributes {
     pub tunable: bool,
     pub discrete: bool,
     pub calculated: bool,
+    pub length: Option<LitStr>,
+    pub alias: Option<LitStr>,
+    pub clock: Option<LitStr>,
     pub depends_on: Option<Expr>,
 }
 
@@ -34,6 +37,9 @@ impl Attributes {
                     "tunable" => found.tunable = true,
                     "discrete" => found.discrete = true,
                     "calculated" => found.calculated = true,
+                    "length" => found.length = Some(meta.value()?.parse()?),
+                    "alias" => found.alias = Some(meta.value()?.parse()?),
+                    "clock" => found.clock = Some(meta.value()?.parse()?),
                     "unit" => found.unit = Some(meta.value()?.parse()?),
                     "start" => found.start = Some(meta.value()?.parse()?),
                     "min" => found.min = Some(meta.value()?.parse()?),
@@ -43,7 +49,7 @@ impl Attributes {
                     _ => {
                         return Err(meta.error(
                             "unknown attribute: a variable has unit, start, min, max, nominal, output, tunable, \
-                             discrete, calculated and depends_on",
+                             discrete, calculated, length, alias, clock and depends_on",
                         ));
                     }
                 }

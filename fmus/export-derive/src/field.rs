@@ -30,6 +30,8 @@ pub enum Leaf {
     Real,
     Boolean,
     Integer,
+    /// The length of arrays.
+    Size,
     Text,
     Enumeration(Box<Type>),
 }
@@ -83,6 +85,7 @@ impl Variable {
                 (_, Some(value)) => quote! { #value },
                 (Leaf::Boolean, None) => quote! { false },
                 (Leaf::Integer, None) => quote! { 0i32 },
+                (Leaf::Size, None) => quote! { 0u32 },
             })
         };
         Ok(match &self.kind {
@@ -109,6 +112,7 @@ fn leaf(of: &Type, real: Option<&Ident>) -> Option<Leaf> {
     match ident.to_string().as_str() {
         "bool" => Some(Leaf::Boolean),
         "i32" => Some(Leaf::Integer),
+        "u32" => Some(Leaf::Size),
         "String" => Some(Leaf::Text),
         _ => None,
     }

@@ -90,6 +90,7 @@ fn get(variable: &Variable) -> TokenStream {
         Leaf::Real => quote! { ::swayless_export::Value::Real(#place) },
         Leaf::Boolean => quote! { ::swayless_export::Value::Boolean(#place) },
         Leaf::Integer => quote! { ::swayless_export::Value::Integer(#place) },
+        Leaf::Size => quote! { ::swayless_export::Value::Size(#place) },
         Leaf::Text => quote! { ::swayless_export::Value::Text(&#place) },
         Leaf::Enumeration(_) => {
             quote! { ::swayless_export::Value::Enumeration(::swayless_export::Enumeration::value(#place)) }
@@ -110,6 +111,7 @@ fn set(variable: &Variable) -> TokenStream {
             Leaf::Real => (quote! { Real(value) }, quote! { Some(value) }),
             Leaf::Boolean => (quote! { Boolean(value) }, quote! { Some(value) }),
             Leaf::Integer => (quote! { Integer(value) }, quote! { Some(value) }),
+            Leaf::Size => (quote! { Size(value) }, quote! { Some(value) }),
             Leaf::Text => (quote! { Text(value) }, quote! { Some(::std::string::String::from(value)) }),
             Leaf::Enumeration(of) => {
                 (quote! { Enumeration(value) }, quote! { <#of as ::swayless_export::Enumeration>::from_value(value) })
@@ -185,6 +187,7 @@ fn declare(variable: &Variable) -> Result<TokenStream> {
         Leaf::Real => quote! { ::swayless_export::Kind::Real },
         Leaf::Boolean => quote! { ::swayless_export::Kind::Boolean },
         Leaf::Integer => quote! { ::swayless_export::Kind::Integer },
+        Leaf::Size => quote! { ::swayless_export::Kind::Size },
         Leaf::Text => quote! { ::swayless_export::Kind::Text },
         Leaf::Enumeration(of) => quote! { ::swayless_export::Kind::enumeration::<#of>() },
     };
@@ -203,6 +206,17 @@ fn declare(variable: &Variable) -> Result<TokenStream> {
     let description = &variable.description;
     let (output, tunable) = (attributes.output, attributes.tunable);
     let (discrete, calculated) = (attributes.discrete, attributes.calculated);
+    if matches!(leaf, Leaf::Size) && (attributes.min.is_none() || attributes.max.is_none()) {
+        return Err(Error::new(variable.ident.span(), "a structural parameter has min and max"));
+    }
+    if attributes.length.is_some() && !matches!(variable.kind, Kind::Array(..)) {
+        return Err(Error::new(variable.ident.span(), "only an array has a length"));
+    }
+    let text = |value: &Option<syn::LitStr>| match value {
+        Some(value) => quote! { Some(#value) },
+        None => quote! { None },
+    };
+    let (length, alias, clock) = (text(&attributes.length), text(&attributes.alias), text(&attributes.clock));
     let depends_on = match &attributes.depends_on {
         Some(names) => quote! { Some(&#names) },
         None => quote! { None },
@@ -221,6 +235,9 @@ fn declare(variable: &Variable) -> Result<TokenStream> {
             tunable: #tunable,
             discrete: #discrete,
             calculated: #calculated,
+            length: #length,
+            alias: #alias,
+            clock: #clock,
             depends_on: #depends_on,
             first: 0,
         });

@@ -1,7 +1,7 @@
 //! Getting and setting variables by value reference.
 
 use crate::course::Term;
-use crate::declaration::Declaration;
+use crate::declaration::{Declaration, Kind};
 use crate::instance::{Instance, Refusal, range};
 use crate::layout::{Block, Layout};
 use crate::log::Category;
@@ -13,22 +13,27 @@ impl<M: Model> Instance<M> {
     /// Where a value reference points.
     pub(crate) fn locate(&self, reference: u32) -> Result<(Block, usize), Refusal> {
         Layout::<M>::locate(reference)
+            .filter(|(block, index)| self.has(*block, *index))
             .ok_or_else(|| Refusal::error(format!("there is no variable with value reference {reference}")))
     }
 
     /// Initializes, if start values have been set since: outputs must be consistent whenever they are read.
     pub(crate) fn ready(&mut self) -> Result<(), Refusal> {
-        if self.uninitialized && self.phase == Phase::Initialization {
-            self.initialize()?;
+        match self.phase {
+            Phase::Initialization => self.initialize(),
+            Phase::Event => self.evaluate(),
+            _ => Ok(()),
         }
-        Ok(())
     }
 
     /// The value of a scalar.
     #[inline]
     pub fn get(&mut self, block: Block, index: usize) -> Result<Value<'_, f64>, Refusal> {
-        if self.uninitialized {
+        if self.uninitialized || self.pending {
             self.ready()?;
+        }
+        if self.phase == Phase::Intermediate {
+            self.check_intermediate(block, index, false)?;
         }
         Ok(match block {
             Block::Time => Value::Real(self.t),
@@ -44,6 +49,7 @@ impl<M: Model> Instance<M> {
                 self.y.get(index)
             }
             Block::Discrete => self.d.get(index),
+            Block::Clocks => return Err(Refusal::error("a clock has no value but through fmi3GetClock")),
             Block::Indicators => Value::Real(M::indicators(&self.point()?).as_ref()[index]),
         })
     }
@@ -51,6 +57,11 @@ impl<M: Model> Instance<M> {
     /// Sets a scalar, where the phase allows it.
     #[inline]
     pub fn set(&mut self, block: Block, index: usize, value: Value<'_, f64>) -> Result<(), Refusal> {
+        match self.phase {
+            Phase::Configuration | Phase::Reconfiguration => return self.configure(block, index, value),
+            Phase::Intermediate => self.check_intermediate(block, index, true)?,
+            _ => {}
+        }
         let starting = matches!(self.phase, Phase::Instantiated | Phase::Initialization);
         match block {
             Block::Inputs => {
@@ -72,12 +83,19 @@ impl<M: Model> Instance<M> {
                 }
                 self.disturbed = true;
                 self.uninitialized |= starting;
+                self.touch();
                 self.moved();
+                if self.phase == Phase::Intermediate {
+                    self.flow.begin_anew();
+                }
             }
             Block::Parameters => {
                 let Some(declaration) = covering(&self.parameter_declarations, index) else {
                     return Err(Refusal::error(format!("there is no parameter {index}")));
                 };
+                if declaration.kind == Kind::Size {
+                    return self.not_now(block, index, "a structural parameter is set in Configuration Mode");
+                }
                 if !starting {
                     if !declaration.tunable {
                         return self.not_now(block, index, "a fixed parameter is set before initialization ends");
@@ -97,6 +115,7 @@ impl<M: Model> Instance<M> {
                 }
                 self.disturbed = true;
                 self.uninitialized |= starting;
+                self.touch();
                 self.moved();
             }
             Block::States => {
@@ -112,9 +131,43 @@ impl<M: Model> Instance<M> {
                 self.uninitialized = true;
                 self.moved();
             }
-            Block::Time | Block::Derivatives | Block::Outputs | Block::Discrete | Block::Indicators => {
+            Block::Time | Block::Derivatives | Block::Outputs | Block::Discrete | Block::Indicators | Block::Clocks => {
                 return self.not_now(block, index, "it is calculated by the FMU");
             }
+        }
+        Ok(())
+    }
+
+    /// Refuses a variable that is not for intermediate updates: continuous inputs and outputs are, and of these, if the
+    /// importer has named any, those it has named.
+    fn check_intermediate(&self, block: Block, index: usize, set: bool) -> Result<(), Refusal> {
+        let continuous = match block {
+            Block::Inputs => {
+                matches!(self.u.get(index), Value::Real(_)) && self.input(index).is_some_and(|input| !input.discrete)
+            }
+            Block::States => !set && covering(&self.state_declarations, index).is_some_and(|state| state.output),
+            Block::Outputs => !set,
+            _ => false,
+        };
+        let number = Layout::<M>::first(block) + index;
+        if continuous && (self.intermediate.is_empty() || self.intermediate.contains(&number)) {
+            return Ok(());
+        }
+        let name = Layout::<M>::name(block, index);
+        let verb = if set { "set" } else { "read" };
+        Err(Refusal::error(format!(
+            "{name} cannot be {verb} in an intermediate update: it is none of the requiredIntermediateVariables, or not \
+             marked for it"
+        )))
+    }
+
+    /// Takes the variables that the importer wants in intermediate updates.
+    pub fn require_intermediate(&mut self, references: &[u32]) -> Result<(), Refusal> {
+        for reference in references {
+            let (block, index) = self.locate(*reference)?;
+            self.check_intermediate(block, index, false)?;
+            let first = Layout::<M>::first(block) + index;
+            self.intermediate.extend(first..first + Layout::<M>::extent(block, index));
         }
         Ok(())
     }
@@ -156,16 +209,17 @@ impl<M: Model> Instance<M> {
         covering(&self.input_declarations, index)
     }
 
-    fn not_now(&self, block: Block, index: usize, why: &str) -> Result<(), Refusal> {
+    pub(crate) fn not_now(&self, block: Block, index: usize, why: &str) -> Result<(), Refusal> {
         let mode = match self.interface {
             Interface::ModelExchange => "model exchange",
             Interface::CoSimulation => "co-simulation",
+            Interface::ScheduledExecution => "scheduled execution",
         };
         let name = Layout::<M>::name(block, index);
         Err(Refusal::error(format!("{name} cannot be set in phase {:?} of {mode}: {why}", self.phase)))
     }
 
-    fn wrong_type(&self, block: Block, index: usize, value: Value<'_, f64>) -> Result<(), Refusal> {
+    pub(crate) fn wrong_type(&self, block: Block, index: usize, value: Value<'_, f64>) -> Result<(), Refusal> {
         let name = Layout::<M>::name(block, index);
         Err(Refusal::error(format!("{name} does not take {value:?}: it is of another type or has no such item")))
     }

@@ -20,14 +20,64 @@ pub struct StepEnd {
     pub early: bool,
 }
 
+/// A step under way: where it goes, and what it must give back when it fails.
+#[derive(Debug)]
+pub struct Stride {
+    end: f64,
+    /// Whether it pauses after each accepted step of the integrator.
+    pauses: bool,
+    begun: bool,
+    events: usize,
+    /// Where the importer wants it to end instead.
+    return_at: Option<f64>,
+    t: f64,
+    next_event: Option<f64>,
+    disturbed: bool,
+    wanted: f64,
+}
+
+impl Stride {
+    /// Ends the step at this time, or at once if that has passed.
+    pub fn return_at(&mut self, t: f64) {
+        self.return_at = Some(self.return_at.map_or(t, |before| before.min(t)).min(self.end));
+    }
+
+    /// Where the step was to end.
+    pub fn end(&self) -> f64 {
+        self.end
+    }
+}
+
+/// How far a step has come.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Progress {
+    /// It waits to be continued.
+    Paused,
+    /// It is over.
+    Ended(StepEnd),
+}
+
 impl<M: Model> Instance<M> {
     /// Makes the room that steps need.
     pub(crate) fn prepare_steps(&mut self) {
-        self.backup = self.memory.as_ref().map_or_else(Backup::default, |memory| Backup::of(&self.x, &self.d, memory));
+        self.backup = self
+            .memory
+            .as_ref()
+            .map_or_else(Backup::default, |memory| Backup::of(&self.x, &self.d, memory, &self.schedule));
     }
 
     /// Steps from `current` to `current + step`. On a refusal nothing has changed.
     pub fn do_step(&mut self, current: f64, step: f64) -> Result<StepEnd, Refusal> {
+        let mut stride = self.begin_step(current, step, false)?;
+        loop {
+            if let Progress::Ended(end) = self.continue_step(&mut stride)? {
+                return Ok(end);
+            }
+        }
+    }
+
+    /// Begins a step that goes on with [`continue_step`](Self::continue_step).
+    pub fn begin_step(&mut self, current: f64, step: f64, pauses: bool) -> Result<Stride, Refusal> {
         if !(step > 0.0 && step.is_finite()) {
             return Err(Refusal::error(format!("communicationStepSize is {step} s; it must be positive")));
         }
@@ -42,55 +92,85 @@ impl<M: Model> Instance<M> {
         if self.disturbed {
             self.check_inputs()?;
         }
-        let (t, next_event, disturbed) = (self.t, self.next_event, self.disturbed);
-        let wanted = self.flow.wanted_step();
+        let stride = Stride {
+            end: current + step,
+            pauses,
+            begun: false,
+            events: 0,
+            return_at: None,
+            t: self.t,
+            next_event: self.next_event,
+            disturbed: self.disturbed,
+            wanted: self.flow.wanted_step(),
+        };
         self.backup.begin(&self.x);
         self.course.begin(current, &self.u);
         self.t = current;
-        let done = self.run_to(current + step);
+        Ok(stride)
+    }
+
+    /// Goes on with a step: to its end, or to the next accepted step of the integrator if it pauses there. On a refusal
+    /// nothing has changed since the step began.
+    pub fn continue_step(&mut self, stride: &mut Stride) -> Result<Progress, Refusal> {
+        let done = self.run(stride);
         if done.is_err() {
             if let Some(u) = self.course.base() {
                 self.u.clone_from(u);
             }
-            self.backup.restore(&mut self.x, &mut self.d, self.memory.as_mut());
-            (self.t, self.next_event, self.disturbed) = (t, next_event, disturbed);
+            self.backup.restore(&mut self.x, &mut self.d, self.memory.as_mut(), &mut self.schedule);
+            (self.t, self.next_event) = (stride.t, stride.next_event);
+            // What an intermediate update has set stays set.
+            self.disturbed |= stride.disturbed;
             self.moved();
-            self.flow.begin_anew_with(wanted);
+            self.flow.begin_anew_with(stride.wanted);
         }
-        // Derivatives of inputs are for one step (FMI 2.0.5, 4.2.1); the inputs stay where they have got to.
-        self.course.hold();
+        if !matches!(done, Ok(Progress::Paused)) {
+            // Derivatives of inputs are for one step (FMI 2.0.5, 4.2.1); the inputs stay where they have got to.
+            self.course.hold();
+        }
         done
     }
 
-    fn run_to(&mut self, end: f64) -> Result<StepEnd, Refusal> {
-        let mut events = 0;
+    fn run(&mut self, stride: &mut Stride) -> Result<Progress, Refusal> {
         // What the importer has set since the last step is an event, whether or not it knows of event modes.
-        if self.disturbed || self.next_event.is_some_and(|due| due <= self.t) {
+        let restless = !self.clocked && self.schedule.is_restless();
+        if !stride.begun && (self.disturbed || restless || self.next_event.is_some_and(|due| due <= self.t)) {
             self.step_event()?;
             self.disturbed = false;
         }
-        while self.t < end {
+        stride.begun = true;
+        if stride.pauses {
+            self.check_inputs()?;
+        }
+        loop {
+            let end = stride.return_at.unwrap_or(stride.end);
+            if self.t >= end {
+                return Ok(Progress::Ended(StepEnd { event: false, early: self.t < stride.end }));
+            }
             let due = self.next_event.filter(|due| is_due(*due, end));
-            let crossed = self.advance(due.map_or(end, |due| due.min(end)))?;
+            let crossed = self.advance(due.map_or(end, |due| due.min(end)), stride.pauses)?;
             if crossed || due.is_some_and(|due| is_due(due, self.t)) {
-                let early = self.t < end;
+                let early = self.t < stride.end;
                 if self.event_mode.used && (!early || self.event_mode.early_return) {
                     // Should the importer not enter Event Mode, the next step begins with the event.
                     self.disturbed = true;
-                    return Ok(StepEnd { event: true, early });
+                    return Ok(Progress::Ended(StepEnd { event: true, early }));
                 }
                 self.step_event()?;
-                events += 1;
-                if events > MOST_EVENTS {
+                stride.events += 1;
+                if stride.events > MOST_EVENTS {
                     return Err(Refusal::error(format!("more than {MOST_EVENTS} events in one step, at {} s", self.t)));
                 }
             }
+            if stride.pauses {
+                return Ok(Progress::Paused);
+            }
         }
-        Ok(StepEnd::default())
     }
 
-    /// Integrates to `target` or to the first state event before it. Returns whether an event was found.
-    fn advance(&mut self, target: f64) -> Result<bool, Refusal> {
+    /// Integrates to `target` or to the first state event before it, or for one accepted step. Returns whether an event
+    /// was found.
+    fn advance(&mut self, target: f64, one_step: bool) -> Result<bool, Refusal> {
         self.moved();
         if Layout::<M>::STATE_COUNT == 0 {
             self.t = target;
@@ -102,8 +182,9 @@ impl<M: Model> Instance<M> {
         let Some(memory) = &self.memory else {
             return Err(Refusal::error(NOT_INITIALIZED));
         };
-        let field = Field { p: &self.p, u: &self.u, course: &self.course, d: &self.d, memory };
-        let found = self.flow.advance(&field, &mut self.x, &mut self.t, target, self.tolerance);
+        let idle = self.sizes.as_ref().map_or(&[][..], |sizes| sizes.idle());
+        let field = Field { p: &self.p, u: &self.u, course: &self.course, d: &self.d, memory, idle };
+        let found = self.flow.advance(&field, &mut self.x, &mut self.t, (target, one_step), self.tolerance);
         if !self.course.is_held() {
             self.course.at(self.t, &mut self.u);
         }
@@ -118,9 +199,8 @@ impl<M: Model> Instance<M> {
     /// An event within a step: keeps what it changes, for the case that the step fails later.
     fn step_event(&mut self) -> Result<(), Refusal> {
         if let Some(memory) = &self.memory {
-            self.backup.keep(&self.d, memory);
+            self.backup.keep(&self.d, memory, &self.schedule);
         }
-        self.event(false)?;
-        Ok(())
+        self.event()
     }
 }

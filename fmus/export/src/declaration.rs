@@ -10,6 +10,8 @@ pub enum Kind {
     Real,
     /// An integer.
     Integer,
+    /// A structural parameter: the length of arrays.
+    Size,
     /// A truth value.
     Boolean,
     /// A text.
@@ -57,6 +59,12 @@ pub struct Declaration {
     pub discrete: bool,
     /// A state whose initial value is calculated.
     pub calculated: bool,
+    /// The structural parameter that sets the length of an array; its dimension is the greatest one.
+    pub length: Option<&'static str>,
+    /// Another name of the variable.
+    pub alias: Option<&'static str>,
+    /// The clock that a discrete variable is computed by.
+    pub clock: Option<&'static str>,
     /// The inputs and states that a discrete variable depends on; `None` means all.
     pub depends_on: Option<&'static [&'static str]>,
     /// The index of its first scalar within its struct.

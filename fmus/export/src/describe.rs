@@ -2,19 +2,21 @@
 
 use std::ffi::{CStr, c_char, c_int, c_void};
 
-use swayless_abi::describe::{DOCUMENTATION, FMI2, FMI3, ICON, Sink};
+use swayless_abi::describe::{CLOCKED, DOCUMENTATION, FMI2, FMI3, ICON, Sink};
 use swayless_modeldesc::types::FmiVersion;
 
 use crate::description;
 use crate::model::Model;
 use crate::panics::caught;
+use crate::token::Variant;
 
 /// An item of the description of a model.
 fn item<M: Model>(name: &CStr) -> Option<String> {
-    let xml = |version| swayless_modeldesc::write::write(&description::of::<M>(version)).ok();
+    let xml = |version, variant| swayless_modeldesc::write::write(&description::of::<M>(version, variant)).ok();
     match name {
-        name if name == FMI2 => xml(FmiVersion::V2),
-        name if name == FMI3 => xml(FmiVersion::V3),
+        name if name == FMI2 => xml(FmiVersion::V2, Variant::Plain),
+        name if name == FMI3 => xml(FmiVersion::V3, Variant::Plain),
+        name if name == CLOCKED && !M::CLOCKS.is_empty() => xml(FmiVersion::V3, Variant::Clocked),
         name if name == DOCUMENTATION => Some(M::INFO.documentation.to_string()),
         name if name == ICON => Some(M::INFO.icon.to_string()),
         _ => None,

@@ -138,6 +138,8 @@ pub struct Field<'a, M: Model> {
     pub d: &'a M::Discrete<f64>,
     /// The memory.
     pub memory: &'a M::Memory,
+    /// States that are not there, with the lengths that arrays have: they rest.
+    pub idle: &'a [usize],
 }
 
 impl<M: Model> Field<'_, M> {
@@ -156,6 +158,9 @@ impl<M: Model> Field<'_, M> {
     #[inline]
     fn derivatives(&self, t: f64, x: &[f64], dx: &mut [f64], seen: &mut Seen<M>) {
         M::derivatives(&self.at(t, x, seen)).write_reals(dx);
+        for state in self.idle {
+            dx[*state] = 0.0;
+        }
     }
 
     #[inline]
@@ -169,22 +174,30 @@ impl<M: Model> Field<'_, M> {
 pub struct Stuck(pub f64);
 
 impl<M: Model> Flow<M> {
-    /// Integrates `x` from `t` to `target` or to the first state event before it. Returns whether an event was found.
+    /// Integrates `x` from `t` to `target` or to the first state event before it, or for `one_step`. Returns whether an
+    /// event was found.
     pub fn advance(
         &mut self,
         field: &Field<'_, M>,
         states: &mut M::States<f64>,
         t: &mut f64,
-        target: f64,
+        (target, one_step): (f64, bool),
         tolerance: f64,
     ) -> Result<bool, Stuck> {
         states.write_reals(&mut self.x);
-        let found = self.integrate(field, t, target, SHARE * tolerance);
+        let found = self.integrate(field, t, target, one_step, SHARE * tolerance);
         states.read_reals(&self.x);
         found
     }
 
-    fn integrate(&mut self, field: &Field<'_, M>, now: &mut f64, target: f64, tolerance: f64) -> Result<bool, Stuck> {
+    fn integrate(
+        &mut self,
+        field: &Field<'_, M>,
+        now: &mut f64,
+        target: f64,
+        one_step: bool,
+        tolerance: f64,
+    ) -> Result<bool, Stuck> {
         let Self { rk, x, nominal, scratch: seen, h: wanted, primed, z, .. } = self;
         for _ in 0..MOST_STEPS {
             if *now >= target {
@@ -235,6 +248,9 @@ impl<M: Model> Flow<M> {
             let grown = if error > 1e-4 { h * (0.9 * error.powf(-0.2)).clamp(0.2, 5.0) } else { h * 5.0 };
             // A step cut short by the communication point says nothing against a longer one.
             *wanted = if h < *wanted { wanted.max(grown) } else { grown };
+            if one_step {
+                return Ok(false);
+            }
         }
         Err(Stuck(*now))
     }

@@ -2,15 +2,20 @@
 
 use std::ffi::CString;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use crate::backup::Backup;
 use crate::course::Course;
 use crate::declaration::Declaration;
+use crate::event::Tentative;
 use crate::flow::Flow;
 use crate::layout::{Block, Layout};
-use crate::log::{Category, Log, Severity};
-use crate::model::{Environment, Event, Model, Point};
+use crate::log::{Log, Severity};
+use crate::model::{Environment, Model, Point};
 use crate::phase::{Call, Interface, Phase};
+use crate::schedule::Schedule;
+use crate::sizes::Sizes;
+use crate::structure::Structure;
 use crate::variables::{Value, Variables};
 
 /// The relative tolerance of co-simulation where the importer gives none.
@@ -80,6 +85,23 @@ pub struct Instance<M: Model> {
     /// None until initialization has read what the model remembers.
     pub(crate) memory: Option<M::Memory>,
     pub(crate) next_event: Option<f64>,
+    /// Whether the importer ticks the clocks.
+    pub(crate) clocked: bool,
+    pub(crate) schedule: Schedule,
+    /// Which elements of arrays are there, in a model with structural parameters.
+    pub(crate) sizes: Option<Arc<Sizes>>,
+    /// What depends on what, once it has been asked for.
+    pub(crate) structure: Option<Box<Structure>>,
+    /// The numbers of the scalars that the importer wants in intermediate updates.
+    pub(crate) intermediate: Vec<usize>,
+    /// Input clocks that are active, those that have ticked in this Event Mode, and output clocks that the model has
+    /// ticked; one bit each.
+    pub(crate) active: u64,
+    pub(crate) ticked: u64,
+    pub(crate) fired: u64,
+    /// Event Mode: there is something to compute, and what has been computed for looking.
+    pub(crate) pending: bool,
+    pub(crate) tentative: Option<Tentative>,
     pub(crate) y: M::Outputs<f64>,
     pub(crate) dx: M::States<f64>,
 
@@ -118,6 +140,16 @@ impl<M: Model> Instance<M> {
             d: Variables::start(),
             memory: None,
             next_event: None,
+            clocked: false,
+            schedule: Schedule::new(M::CLOCKS),
+            sizes: Sizes::of::<M>(&Variables::start()).map(Arc::new),
+            structure: None,
+            intermediate: Vec::new(),
+            active: 0,
+            ticked: 0,
+            fired: 0,
+            pending: false,
+            tentative: None,
             y: Variables::start(),
             dx: Variables::start(),
             uninitialized: true,
@@ -154,6 +186,11 @@ impl<M: Model> Instance<M> {
         self.d = Variables::start();
         self.memory = None;
         self.next_event = None;
+        self.schedule = Schedule::new(M::CLOCKS);
+        self.sizes = Sizes::of::<M>(&self.p).map(Arc::new);
+        self.structure = None;
+        (self.active, self.ticked, self.fired) = (0, 0, 0);
+        (self.pending, self.tentative) = (false, None);
         self.uninitialized = true;
         self.disturbed = false;
         self.moved();
@@ -194,6 +231,7 @@ impl<M: Model> Instance<M> {
         self.prepare_steps();
         self.phase = match self.interface {
             Interface::CoSimulation if !self.event_mode.used => Phase::Step,
+            Interface::ScheduledExecution => Phase::ClockActivation,
             _ => Phase::Event,
         };
         Ok(())
@@ -201,8 +239,8 @@ impl<M: Model> Instance<M> {
 
     /// Everything that is wrong with parameters and start values.
     fn check_start(&self) -> Vec<String> {
-        let mut problems = bounds(&self.parameter_declarations, &self.p);
-        problems.extend(bounds(&self.state_declarations, &self.declared));
+        let mut problems = bounds(&self.parameter_declarations, &self.p, |index| self.has(Block::Parameters, index));
+        problems.extend(bounds(&self.state_declarations, &self.declared, |index| self.has(Block::States, index)));
         if problems.is_empty() {
             problems.extend(M::check(&self.p, &self.declared).iter().map(ToString::to_string));
         }
@@ -220,28 +258,9 @@ impl<M: Model> Instance<M> {
         self.d = Variables::start();
         self.x = M::start(&self.p, &self.u, &self.declared);
         self.flow.restart();
-        self.event(true)?;
+        self.first_event()?;
         self.uninitialized = false;
         Ok(())
-    }
-
-    /// Lets the model update what is discrete. Returns whether a state jumped.
-    pub(crate) fn event(&mut self, initial: bool) -> Result<bool, Refusal> {
-        let Some(memory) = &mut self.memory else {
-            return Err(Refusal::error(NOT_INITIALIZED));
-        };
-        self.flow.remember_states(&self.x);
-        let (p, u, x, d) = (&self.p, &self.u, &mut self.x, &mut self.d);
-        // An event that is due counts as being at its own time.
-        let t = self.next_event.filter(|due| *due > self.t && is_due(*due, self.t)).unwrap_or(self.t);
-        self.next_event = M::event(&mut Event { t, initial, p, u, x, d, memory });
-        if !initial && self.log.wants(Category::Events) {
-            let next = self.next_event.map_or_else(|| "none".to_string(), |next| format!("at {next} s"));
-            self.log.write(&self.name, Category::Events, &format!("event at {} s, next time event: {next}", self.t));
-        }
-        self.moved();
-        self.flow.begin_anew();
-        Ok(self.flow.states_differ(&self.x))
     }
 
     /// What follows from t, x, u, p and d must be evaluated again.
@@ -294,12 +313,12 @@ impl<M: Model> Instance<M> {
 }
 
 /// The declared bounds that start values lie outside of.
-fn bounds(declarations: &[Declaration], values: &impl Variables<f64>) -> Vec<String> {
+fn bounds(declarations: &[Declaration], values: &impl Variables<f64>, has: impl Fn(usize) -> bool) -> Vec<String> {
     let mut problems = Vec::new();
     for declaration in declarations {
         for element in 0..declaration.count() {
             let Value::Real(value) = values.get(declaration.first + element) else { continue };
-            if !declaration.allows(value) {
+            if has(declaration.first + element) && !declaration.allows(value) {
                 let index = if declaration.dimension.is_some() { format!("[{}]", element + 1) } else { String::new() };
                 problems.push(format!("{}{index} is {value}; {}", declaration.name, range(declaration)));
             }

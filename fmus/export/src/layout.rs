@@ -28,6 +28,8 @@ pub enum Block {
     Discrete,
     /// z.
     Indicators,
+    /// Clocks, in an FMU with clocks; they are reached by functions of their own.
+    Clocks,
 }
 
 /// The numbering of a model's variables.
@@ -54,6 +56,8 @@ impl<M: Model> Layout<M> {
     pub const INDICATORS: usize = Self::DISCRETE + <M::Discrete<f64> as Variables<f64>>::COUNT;
     /// The number behind the last variable.
     pub const END: usize = Self::INDICATORS + Self::INDICATOR_COUNT;
+    /// The first clock, in an FMU with clocks.
+    pub const CLOCKS: usize = Self::END;
 
     /// The block of a value reference and the index in it.
     #[inline]
@@ -91,13 +95,14 @@ impl<M: Model> Layout<M> {
             Block::Outputs => Self::OUTPUTS,
             Block::Discrete => Self::DISCRETE,
             Block::Indicators => Self::INDICATORS,
+            Block::Clocks => Self::CLOCKS,
         }
     }
 
     /// How many scalars the variable has that begins at a place: 0 inside an array.
     pub fn extent(block: Block, index: usize) -> usize {
         match block {
-            Block::Time | Block::Indicators => 1,
+            Block::Time | Block::Indicators | Block::Clocks => 1,
             Block::Parameters => <M::Parameters<f64> as Variables<f64>>::extent(index),
             Block::Inputs => <M::Inputs<f64> as Variables<f64>>::extent(index),
             Block::States | Block::Derivatives => <M::States<f64> as Variables<f64>>::extent(index),
@@ -112,7 +117,7 @@ impl<M: Model> Layout<M> {
         let mut push = |declaration| found.push(declaration);
         let mut into = Declarer::new(&mut push);
         match block {
-            Block::Time | Block::Derivatives | Block::Indicators => {}
+            Block::Time | Block::Derivatives | Block::Indicators | Block::Clocks => {}
             Block::Parameters => <M::Parameters<f64> as Variables<f64>>::declare(&mut into),
             Block::Inputs => <M::Inputs<f64> as Variables<f64>>::declare(&mut into),
             Block::States => <M::States<f64> as Variables<f64>>::declare(&mut into),
@@ -128,6 +133,7 @@ impl<M: Model> Layout<M> {
             Block::Time => return "time".into(),
             Block::Derivatives => return format!("der({})", Self::name(Block::States, index)),
             Block::Indicators => return format!("event_indicator[{}]", index + 1),
+            Block::Clocks => return M::CLOCKS.get(index).map_or("clock", |clock| clock.name).to_string(),
             other => Self::declarations(other),
         };
         match declarations.iter().find(|d| (d.first..d.first + d.count()).contains(&index)) {

@@ -6,11 +6,16 @@
 
 mod access;
 mod backup;
+mod clocked;
+mod clocks;
 mod co_simulation;
+mod configuration;
 mod course;
 mod declaration;
+mod dependencies;
 mod describe;
 mod description;
+mod event;
 mod flow;
 #[doc(hidden)]
 pub mod fmi2;
@@ -26,7 +31,9 @@ mod panics;
 mod phase;
 mod raw;
 mod raw_state;
+mod schedule;
 mod sensitivity;
+mod sizes;
 mod snapshot;
 mod structure;
 mod symbols;
@@ -39,6 +46,7 @@ pub use swayless_abi as abi;
 pub use swayless_export_derive::{Enumeration, Variables};
 pub use swayless_scalar::Scalar;
 
+pub use clocks::{Clock, Interval};
 pub use declaration::{Declaration, Declarer, Kind};
 #[doc(hidden)]
 pub use describe::swayless_describe;

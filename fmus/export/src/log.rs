@@ -1,5 +1,7 @@
 //! Log messages: their categories, and the sink that an FMI version provides.
 
+use std::sync::Arc;
+
 /// How a call ended when it did not end well. The numbers are the same in FMI 2.0 and FMI 3.0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
@@ -44,14 +46,14 @@ impl Category {
 }
 
 /// Takes the messages of an instance to the importer.
-pub trait Sink: Send {
+pub trait Sink: Send + Sync {
     /// Hands a message over, with the status as FMI numbers it.
     fn emit(&self, instance: &str, status: i32, category: &str, message: &str);
 }
 
 /// The log of an instance.
 pub struct Log {
-    sink: Box<dyn Sink>,
+    sink: Arc<dyn Sink>,
     on: bool,
     /// One bit for each of [`Category::ALL`].
     categories: u8,
@@ -59,8 +61,13 @@ pub struct Log {
 
 impl Log {
     /// A log of all categories.
-    pub fn new(sink: Box<dyn Sink>, on: bool) -> Self {
+    pub fn new(sink: Arc<dyn Sink>, on: bool) -> Self {
         Self { sink, on, categories: u8::MAX }
+    }
+
+    /// A second log with the same sink and the settings of now.
+    pub fn twin(&self) -> Self {
+        Self { sink: Arc::clone(&self.sink), ..*self }
     }
 
     /// Turns logging on or off for the categories named, for all if there are none. Returns the first unknown name.

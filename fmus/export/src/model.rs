@@ -7,6 +7,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use swayless_scalar::Scalar;
 
+use crate::clocks::Clock;
 use crate::variables::Variables;
 
 /// A model that can be exported. All it says is mathematics; nothing in it knows FMI.
@@ -49,6 +50,19 @@ pub trait Model: Sized + Send + 'static {
     fn indicators(_at: &Point<'_, Self, f64>) -> Self::Indicators {
         Self::Indicators::quiet()
     }
+    /// Instants at which a part of the model is computed.
+    const CLOCKS: &'static [Clock] = &[];
+    /// The interval of a periodic clock whose interval comes from parameters (s); 0 for every communication point and
+    /// event, which an FMU with clocks refuses.
+    fn interval(_clock: usize, _p: &Self::Parameters<f64>) -> f64 {
+        0.0
+    }
+    /// When an aperiodic clock ticks next (s), if it does.
+    fn next_tick(_clock: usize, _at: &Point<'_, Self, f64>) -> Option<f64> {
+        None
+    }
+    /// What is computed when a clock ticks: d⁺, x⁺ and memory. The model's own event follows.
+    fn tick(_clock: usize, _at: &mut Event<'_, Self>) {}
     /// d⁺ and x⁺, and when the next time event falls due (after `t`). Called when initialization ends and at every
     /// event; a second call at the same point changes nothing.
     fn event(_at: &mut Event<'_, Self>) -> Option<f64> {
@@ -139,6 +153,16 @@ pub struct Event<'a, M: Model> {
     pub d: &'a mut M::Discrete<f64>,
     /// The memory.
     pub memory: &'a mut M::Memory,
+    /// The interval of each clock (s).
+    pub intervals: &'a [f64],
+    pub(crate) fired: &'a mut u64,
+}
+
+impl<M: Model> Event<'_, M> {
+    /// Ticks an output clock.
+    pub fn fire(&mut self, clock: usize) {
+        *self.fired |= 1 << clock;
+    }
 }
 
 /// What lies around an instance.

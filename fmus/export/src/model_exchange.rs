@@ -4,7 +4,8 @@ use crate::instance::{Instance, Refusal};
 use crate::layout::{Block, Layout};
 use crate::model::Model;
 use crate::phase::{Interface, Phase};
-use crate::variables::Variables;
+use crate::sizes::Sizes;
+use crate::variables::{Value, Variables};
 
 /// What an event has changed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,6 +22,7 @@ impl<M: Model> Instance<M> {
         if !t.is_finite() {
             return Err(Refusal::error(format!("time is {t}; it must be a finite number")));
         }
+        self.touch();
         self.t = t;
         self.moved();
         Ok(())
@@ -28,29 +30,34 @@ impl<M: Model> Instance<M> {
 
     /// Sets the continuous states.
     pub fn set_states(&mut self, x: &[f64]) -> Result<(), Refusal> {
-        self.count(x.len(), Layout::<M>::STATE_COUNT, "continuous states")?;
-        self.x.read_reals(x);
+        self.count(x.len(), self.state_count(), "continuous states")?;
+        match &self.sizes {
+            None => self.x.read_reals(x),
+            Some(sizes) => sizes.states().iter().zip(x).for_each(|(state, value)| {
+                self.x.set(*state, Value::Real(*value));
+            }),
+        }
         self.moved();
         Ok(())
     }
 
     /// Reads the continuous states.
     pub fn states(&mut self, x: &mut [f64]) -> Result<(), Refusal> {
-        self.count(x.len(), Layout::<M>::STATE_COUNT, "continuous states")?;
+        self.count(x.len(), self.state_count(), "continuous states")?;
         self.ready()?;
-        self.x.write_reals(x);
+        write_states(self.sizes.as_deref(), &self.x, x);
         Ok(())
     }
 
     /// Reads the derivatives of the continuous states.
     pub fn derivatives(&mut self, dx: &mut [f64]) -> Result<(), Refusal> {
-        self.count(dx.len(), Layout::<M>::STATE_COUNT, "derivatives")?;
+        self.count(dx.len(), self.state_count(), "derivatives")?;
         self.ready()?;
         if self.derivatives_stale {
             self.check_inputs()?;
         }
         self.refresh_derivatives()?;
-        self.dx.write_reals(dx);
+        write_states(self.sizes.as_deref(), &self.dx, dx);
         Ok(())
     }
 
@@ -66,24 +73,33 @@ impl<M: Model> Instance<M> {
 
     /// Reads the nominal values of the continuous states.
     pub fn nominals(&self, nominals: &mut [f64]) -> Result<(), Refusal> {
-        self.count(nominals.len(), Layout::<M>::STATE_COUNT, "nominal values")?;
-        for declaration in Layout::<M>::declarations(Block::States) {
-            nominals[declaration.first..declaration.first + declaration.count()]
-                .fill(declaration.nominal.unwrap_or(1.0));
+        self.count(nominals.len(), self.state_count(), "nominal values")?;
+        let mut places = nominals.iter_mut();
+        for declaration in &self.state_declarations {
+            let there = (declaration.first..declaration.first + declaration.count())
+                .filter(|index| self.has(Block::States, *index));
+            for (_, place) in there.zip(&mut places) {
+                *place = declaration.nominal.unwrap_or(1.0);
+            }
         }
         Ok(())
     }
 
+    /// How many continuous states there are now.
+    pub fn state_count(&self) -> usize {
+        self.sizes.as_ref().map_or(Layout::<M>::STATE_COUNT, |sizes| sizes.states().len())
+    }
+
     /// Updates what is discrete; once is enough, since a model resolves its event in one go.
     pub fn update_discrete_states(&mut self) -> Result<EventOutcome, Refusal> {
-        self.check_inputs()?;
-        let states_changed = self.event(false)?;
+        let states_changed = self.conclude()?;
         self.disturbed = false;
         Ok(EventOutcome { states_changed, next_event: self.next_event })
     }
 
     /// To Continuous-Time Mode.
     pub fn enter_continuous_time(&mut self) {
+        self.leave_event();
         self.phase = Phase::ContinuousTime;
     }
 
@@ -95,11 +111,20 @@ impl<M: Model> Instance<M> {
             ));
         }
         self.phase = Phase::Event;
+        (self.active, self.ticked, self.fired) = (0, 0, 0);
+        self.pending = true;
         Ok(())
+    }
+
+    /// An event that the importer does not end has not been.
+    pub(crate) fn leave_event(&mut self) {
+        self.withdraw();
+        self.pending = false;
     }
 
     /// To Step Mode.
     pub fn enter_step(&mut self) {
+        self.leave_event();
         self.phase = Phase::Step;
     }
 
@@ -108,5 +133,17 @@ impl<M: Model> Instance<M> {
             return Ok(());
         }
         Err(Refusal::error(format!("the model has {wanted} {what}, but the array has room for {given}")))
+    }
+}
+
+/// Copies the states that are there.
+fn write_states(sizes: Option<&Sizes>, values: &impl Variables<f64>, into: &mut [f64]) {
+    match sizes {
+        None => values.write_reals(into),
+        Some(sizes) => sizes.states().iter().zip(into).for_each(|(state, place)| {
+            if let Value::Real(value) = values.get(*state) {
+                *place = value;
+            }
+        }),
     }
 }

@@ -1,16 +1,22 @@
 //! Where C meets Rust: pointers are checked, panics caught, and refusals turned into a status and a log message.
 
 use std::borrow::Cow;
+use std::cell::UnsafeCell;
 use std::ffi::{CStr, CString, c_char, c_void};
 use std::path::PathBuf;
 use std::ptr;
+
+use swayless_abi::fmi3::{
+    ClockUpdateCallback, InstanceEnvironment, IntermediateUpdateCallback, LockPreemptionCallback,
+    UnlockPreemptionCallback,
+};
 
 use crate::instance::{Instance, Refusal};
 use crate::log::{Category, Log, Severity};
 use crate::model::Model;
 use crate::panics::caught;
 use crate::phase::{Call, Interface, Phase};
-use crate::token;
+use crate::token::{self, Variant};
 
 /// A slice of `n` values; NULL and dangling pointers are fine when there are none.
 ///
@@ -84,54 +90,153 @@ pub fn c_text(text: &str) -> CString {
     CString::new(text.split('\0').next().unwrap_or_default()).unwrap_or_default()
 }
 
-/// Makes an instance, or returns NULL and says why.
-pub fn instantiate<M: Model>(
-    interface: Interface,
-    name: Option<&str>,
-    given_token: Option<&str>,
-    log: Log,
-    resources: Option<PathBuf>,
-) -> *mut c_void {
-    let made = caught(|| {
-        let refuse = |message: &str| {
-            log.write(name.unwrap_or_default(), Category::Status(Severity::Error), message);
-        };
-        let Some(name) = name.filter(|name| !name.is_empty()) else {
-            refuse("instanceName is missing or empty");
-            return ptr::null_mut();
-        };
-        let expected = token::of::<M>();
-        if given_token != Some(expected.as_str()) {
-            let given = given_token.unwrap_or("NULL");
-            refuse(&format!(
-                "the instantiation token (GUID) is {given}, but this library of {} has {expected}: model description \
-                 and library are not from the same FMU",
-                M::INFO.name
-            ));
-            return ptr::null_mut();
-        }
-        Box::into_raw(Box::new(Instance::<M>::new(interface, name, log, resources))).cast()
-    });
-    made.unwrap_or(ptr::null_mut())
+/// What an importer holds: an instance, and what may be looked at while the instance is in use.
+struct Shell<M: Model> {
+    surroundings: Surroundings,
+    instance: UnsafeCell<Instance<M>>,
 }
 
-/// Frees an instance; NULL is nothing to do.
+/// The importer's callbacks beside the log, all of FMI 3.0.
+#[derive(Clone, Copy, Default)]
+pub struct Surroundings {
+    /// Handed back to the callbacks.
+    pub environment: InstanceEnvironment,
+    /// Co-simulation: called after each accepted step of the integrator.
+    pub intermediate_update: IntermediateUpdateCallback,
+    /// Scheduled execution: called when there is news of clocks.
+    pub clock_update: ClockUpdateCallback,
+    /// Scheduled execution: called around everything that must not be preempted.
+    pub lock_preemption: LockPreemptionCallback,
+    /// See `lock_preemption`.
+    pub unlock_preemption: UnlockPreemptionCallback,
+}
+
+/// Keeps other tasks of the importer's scheduler away, as long as it lives.
+struct Locked(UnlockPreemptionCallback);
+
+impl Surroundings {
+    fn lock(&self) -> Locked {
+        if let Some(lock) = self.lock_preemption {
+            // SAFETY: the importer's callback, which takes nothing.
+            unsafe { lock() };
+        }
+        Locked(self.unlock_preemption)
+    }
+}
+
+impl Drop for Locked {
+    fn drop(&mut self) {
+        if let Some(unlock) = self.0 {
+            // SAFETY: the importer's callback, which takes nothing.
+            unsafe { unlock() };
+        }
+    }
+}
+
+/// What an instance is made from.
+pub struct Order<'a> {
+    /// The interface.
+    pub interface: Interface,
+    /// Whether the importer's FMI version knows clocks.
+    pub may_have_clocks: bool,
+    /// `instanceName`.
+    pub name: Option<&'a str>,
+    /// `instantiationToken`.
+    pub token: Option<&'a str>,
+    /// Where the resources lie.
+    pub resources: Option<PathBuf>,
+    /// The importer's callbacks.
+    pub surroundings: Surroundings,
+}
+
+/// Makes an instance, prepares it, or returns NULL and says why.
+pub fn instantiate<M: Model>(
+    order: Order<'_>,
+    log: Log,
+    prepare: impl FnOnce(&mut Instance<M>) -> Result<(), Refusal>,
+) -> *mut c_void {
+    let name = order.name.unwrap_or_default();
+    // What goes wrong is told through a log of its own, since the instance takes this one.
+    let told = log.twin();
+    let made = caught(|| make::<M>(&order, log, prepare));
+    match made {
+        Ok(Ok(instance)) => {
+            let shell = Shell { surroundings: order.surroundings, instance: UnsafeCell::new(instance) };
+            Box::into_raw(Box::new(shell)).cast()
+        }
+        Ok(Err(refusal)) => {
+            told.write(name, Category::Status(Severity::Error), &refusal.message);
+            ptr::null_mut()
+        }
+        Err(why) => {
+            let why = format!("internal error: {why}; please report it");
+            told.write(name, Category::Status(Severity::Fatal), &why);
+            ptr::null_mut()
+        }
+    }
+}
+
+fn make<M: Model>(
+    order: &Order<'_>,
+    log: Log,
+    prepare: impl FnOnce(&mut Instance<M>) -> Result<(), Refusal>,
+) -> Result<Instance<M>, Refusal> {
+    let Some(name) = order.name.filter(|name| !name.is_empty()) else {
+        return Err(Refusal::error("instanceName is missing or empty"));
+    };
+    let expected = token::of::<M>(Variant::Plain);
+    let clocked = order.may_have_clocks
+        && !M::CLOCKS.is_empty()
+        && order.token == Some(token::of::<M>(Variant::Clocked).as_str());
+    if order.token != Some(expected.as_str()) && !clocked {
+        let given = order.token.unwrap_or("NULL");
+        return Err(Refusal::error(format!(
+            "the instantiation token (GUID) is {given}, but this library of {} has {expected}: model description and \
+             library are not from the same FMU",
+            M::INFO.name
+        )));
+    }
+    let scheduled = order.interface == Interface::ScheduledExecution;
+    if scheduled && !(clocked && Variant::has_scheduled_execution::<M>()) {
+        return Err(Refusal::error("this FMU does not offer scheduled execution"));
+    }
+    let mut instance = Instance::<M>::new(order.interface, name, log, order.resources.clone());
+    instance.clocked = clocked;
+    prepare(&mut instance)?;
+    if clocked && order.interface == Interface::CoSimulation && !instance.event_mode.used {
+        return Err(Refusal::error(
+            "an FMU with clocks needs eventModeUsed = true: without, its clocks could not tick; the FMU without clocks \
+             ticks them itself",
+        ));
+    }
+    Ok(instance)
+}
+
+/// Frees an instance; NULL is nothing to do, and within a callback nothing is freed.
 ///
 /// # Safety
 /// The pointer is NULL or came from [`instantiate`] of the same model and is not used again.
 pub unsafe fn free<M: Model>(instance: *mut c_void) {
-    if !instance.is_null() {
+    if instance.is_null() {
+        return;
+    }
+    // SAFETY: by the caller's promise a shell that `instantiate` gave away, and no other call on it is under way: one
+    // that waits for a callback to return holds no reference.
+    let in_callback = unsafe { (*(*instance.cast::<Shell<M>>()).instance.get()).phase.is_callback() };
+    if !in_callback {
         // SAFETY: by the caller's promise this is the box that `instantiate` gave away.
-        let instance = unsafe { Box::from_raw(instance.cast::<Instance<M>>()) };
-        let _ = caught(|| drop(instance));
+        let shell = unsafe { Box::from_raw(instance.cast::<Shell<M>>()) };
+        let _ = caught(|| drop(shell));
     }
 }
 
-/// Refuses an interface that the FMU does not have.
-pub fn no_such_interface(name: Option<&str>, log: &Log, interface: &str) -> *mut c_void {
-    let why = format!("this FMU does not offer {interface}");
-    log.write(name.unwrap_or_default(), Category::Status(Severity::Error), &why);
-    ptr::null_mut()
+/// The callbacks that came with an instance; none with NULL.
+///
+/// # Safety
+/// The pointer is NULL or came from [`instantiate`] of the same model.
+pub unsafe fn surroundings<M: Model>(instance: *mut c_void) -> Surroundings {
+    // SAFETY: the caller's promise; the callbacks never change, whatever is done with the instance beside them.
+    unsafe { instance.cast::<Shell<M>>().as_ref() }.map(|shell| shell.surroundings).unwrap_or_default()
 }
 
 /// The way of every call on an instance: checks the pointer and the phase, runs the body, catches a panic, logs.
@@ -147,8 +252,12 @@ pub unsafe fn call<M: Model>(
     if instance.is_null() {
         return Severity::Error as i32;
     }
-    // SAFETY: not NULL, so by the caller's promise an instance of this model that nobody else uses now.
-    let instance = unsafe { &mut *instance.cast::<Instance<M>>() };
+    // SAFETY: not NULL, so by the caller's promise a shell of this model.
+    let shell = unsafe { &*instance.cast::<Shell<M>>() };
+    let _locked = shell.surroundings.lock();
+    // SAFETY: by the caller's promise nobody else uses the instance now; in scheduled execution, where tasks preempt
+    // each other, the lock keeps them away. No reference is held while a callback runs that may call back.
+    let instance = unsafe { &mut *shell.instance.get() };
     let outcome = caught(|| {
         instance.allow(call, function)?;
         body(instance)

@@ -103,7 +103,7 @@ impl<M: Model> Instance<M> {
                 Block::Parameters => matches!(self.p.get(index), Value::Real(_)),
                 Block::Inputs => matches!(self.u.get(index), Value::Real(_)),
                 Block::Time | Block::States => true,
-                Block::Derivatives | Block::Outputs | Block::Discrete | Block::Indicators => false,
+                Block::Derivatives | Block::Outputs | Block::Discrete | Block::Indicators | Block::Clocks => false,
             };
             if !real {
                 return Err(unusable::<M>(block, index, "known", "an input, a state or a real parameter"));

@@ -4,6 +4,8 @@
 //! form is independent of the process and holds no pointers: a magic text with the version of the format, the
 //! instantiation token, a checksum, and the values.
 
+use std::sync::Arc;
+
 use serde::{Deserialize, Serialize};
 
 use crate::course::Term;
@@ -11,15 +13,18 @@ use crate::flow::Pace;
 use crate::instance::{Instance, Refusal};
 use crate::model::{Indicators, Model};
 use crate::phase::{Interface, Phase};
-use crate::token;
+use crate::schedule::Timer;
+use crate::sizes::Sizes;
+use crate::token::{self, Variant};
 use crate::variables::{Value, Variables};
 
-const MAGIC: &[u8] = b"Swayless state 1\n";
+const MAGIC: &[u8] = b"Swayless state 2\n";
 
 /// All that an instance is, beside what it was made with: its name, its log, its resources, and whether Event Mode is
 /// used.
 pub struct Snapshot<M: Model> {
     interface: Interface,
+    clocked: bool,
     phase: Phase,
     t: f64,
     tolerance: f64,
@@ -34,13 +39,21 @@ pub struct Snapshot<M: Model> {
     disturbed: bool,
     course: Vec<Term>,
     pace: Pace<M::Indicators>,
+    /// Of clocks: which are active, which have ticked, which the model has ticked; and where each is.
+    clocks: (u64, u64, u64),
+    pending: bool,
+    timers: Vec<Timer>,
+    intervals: Vec<f64>,
 }
 
 impl<M: Model> Instance<M> {
     /// The state now.
     pub fn snapshot(&mut self) -> Snapshot<M> {
+        self.withdraw();
+        let (timers, intervals) = self.schedule.parts();
         Snapshot {
             interface: self.interface,
+            clocked: self.clocked,
             phase: self.phase,
             t: self.t,
             tolerance: self.tolerance,
@@ -55,27 +68,42 @@ impl<M: Model> Instance<M> {
             disturbed: self.disturbed,
             course: self.course.terms().to_vec(),
             pace: self.flow.pace(),
+            clocks: (self.active, self.ticked, self.fired),
+            pending: self.pending,
+            timers: timers.to_vec(),
+            intervals: intervals.to_vec(),
         }
     }
 
     /// Goes to a state, from wherever the instance is.
     pub fn restore(&mut self, snapshot: &Snapshot<M>) -> Result<(), Refusal> {
+        if snapshot.clocked != self.clocked {
+            return Err(Refusal::error(
+                "the state is one of an FMU with clocks and the instance is not, or the other way",
+            ));
+        }
         if snapshot.interface != self.interface {
             return Err(Refusal::error(format!(
                 "the state is one of {:?}, but the instance is for {:?}",
                 snapshot.interface, self.interface
             )));
         }
+        self.tentative = None;
+        (self.active, self.ticked, self.fired) = snapshot.clocks;
+        self.pending = snapshot.pending;
+        self.schedule.set_parts(&snapshot.timers, &snapshot.intervals);
         self.phase = snapshot.phase;
         self.disturbed = snapshot.disturbed;
         if self.phase == Phase::Event && self.interface == Interface::CoSimulation && !self.event_mode.used {
             // Where Event Mode is not used, the next step begins with the event.
             self.phase = Phase::Step;
             self.disturbed = true;
+            self.pending = false;
         }
         self.t = snapshot.t;
         self.tolerance = snapshot.tolerance;
         self.p.clone_from(&snapshot.p);
+        self.sizes = Sizes::of::<M>(&self.p).map(Arc::new);
         self.u.clone_from(&snapshot.u);
         self.declared.clone_from(&snapshot.declared);
         self.x.clone_from(&snapshot.x);
@@ -95,8 +123,9 @@ impl<M: Model> Instance<M> {
 /// The values of a snapshot as they are written.
 #[derive(Serialize, Deserialize)]
 struct Portable<Memory> {
-    co_simulation: bool,
-    phase: u8,
+    interface: u8,
+    clocked: bool,
+    phase: u16,
     t: f64,
     tolerance: f64,
     next_event: Option<f64>,
@@ -112,6 +141,10 @@ struct Portable<Memory> {
     h: f64,
     first_stage: Option<Vec<f64>>,
     z: Option<Vec<f64>>,
+    clocks: (u64, u64, u64),
+    pending: bool,
+    timers: Vec<Timer>,
+    intervals: Vec<f64>,
 }
 
 /// A value that owns its text.
@@ -119,6 +152,7 @@ struct Portable<Memory> {
 enum Stored {
     Real(f64),
     Integer(i32),
+    Size(u32),
     Boolean(bool),
     Text(String),
     Enumeration(i32),
@@ -128,6 +162,7 @@ fn store<V: Variables<f64>>(values: &V) -> Vec<Stored> {
     let stored = |value: Value<'_, f64>| match value {
         Value::Real(value) => Stored::Real(value),
         Value::Integer(value) => Stored::Integer(value),
+        Value::Size(value) => Stored::Size(value),
         Value::Boolean(value) => Stored::Boolean(value),
         Value::Text(value) => Stored::Text(value.to_string()),
         Value::Enumeration(value) => Stored::Enumeration(value),
@@ -142,6 +177,7 @@ fn load<V: Variables<f64>>(stored: &[Stored]) -> Option<V> {
             let value = match value {
                 Stored::Real(value) => Value::Real(*value),
                 Stored::Integer(value) => Value::Integer(*value),
+                Stored::Size(value) => Value::Size(*value),
                 Stored::Boolean(value) => Value::Boolean(*value),
                 Stored::Text(value) => Value::Text(value),
                 Stored::Enumeration(value) => Value::Enumeration(*value),
@@ -155,8 +191,9 @@ impl<M: Model> Snapshot<M> {
     /// The portable form.
     pub fn to_bytes(&self) -> Result<Vec<u8>, Refusal> {
         let portable = Portable {
-            co_simulation: self.interface == Interface::CoSimulation,
-            phase: self.phase as u8,
+            interface: self.interface as u8,
+            clocked: self.clocked,
+            phase: self.phase as u16,
             t: self.t,
             tolerance: self.tolerance,
             next_event: self.next_event,
@@ -173,11 +210,15 @@ impl<M: Model> Snapshot<M> {
             h: self.pace.h,
             first_stage: self.pace.first_stage.clone(),
             z: self.pace.z.as_ref().map(|z| z.as_ref().to_vec()),
+            clocks: self.clocks,
+            pending: self.pending,
+            timers: self.timers.clone(),
+            intervals: self.intervals.clone(),
         };
         let values = postcard::to_allocvec(&portable)
             .map_err(|error| Refusal::error(format!("the state cannot be serialized: {error}")))?;
         let mut bytes = MAGIC.to_vec();
-        bytes.extend_from_slice(token::of::<M>().as_bytes());
+        bytes.extend_from_slice(token::of::<M>(Variant::Plain).as_bytes());
         bytes.extend_from_slice(&token::checksum(&values));
         bytes.extend_from_slice(&values);
         Ok(bytes)
@@ -187,7 +228,7 @@ impl<M: Model> Snapshot<M> {
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, Refusal> {
         let refuse = |why: &str| Refusal::error(format!("the serialized state is refused: {why}"));
         let rest = bytes.strip_prefix(MAGIC).ok_or_else(|| refuse("it is none of Swayless, or of another version"))?;
-        let token = token::of::<M>();
+        let token = token::of::<M>(Variant::Plain);
         let rest = rest
             .strip_prefix(token.as_bytes())
             .ok_or_else(|| refuse(&format!("it is not of the FMU {} with token {token}", M::INFO.name)))?;
@@ -205,11 +246,14 @@ impl<M: Model> Snapshot<M> {
 
     fn of(portable: Portable<M::Memory>) -> Option<Self> {
         Some(Self {
-            interface: if portable.co_simulation { Interface::CoSimulation } else { Interface::ModelExchange },
-            phase: Phase::of(portable.phase).filter(|phase| *phase != Phase::Broken)?,
+            interface: [Interface::ModelExchange, Interface::CoSimulation, Interface::ScheduledExecution]
+                .into_iter()
+                .find(|interface| *interface as u8 == portable.interface)?,
+            clocked: portable.clocked,
+            phase: Phase::of(portable.phase).filter(|phase| *phase != Phase::Broken && !phase.is_callback())?,
             t: Some(portable.t).filter(|t| t.is_finite())?,
             tolerance: Some(portable.tolerance).filter(|tolerance| *tolerance > 0.0)?,
-            p: load(&portable.p)?,
+            p: load(&portable.p).filter(Sizes::fit::<M>)?,
             u: load(&portable.u)?,
             declared: load(&portable.declared)?,
             x: load(&portable.x)?,
@@ -234,6 +278,10 @@ impl<M: Model> Snapshot<M> {
                     None => None,
                 },
             },
+            clocks: portable.clocks,
+            pending: portable.pending,
+            intervals: Some(portable.intervals).filter(|intervals| intervals.len() == M::CLOCKS.len())?,
+            timers: Some(portable.timers).filter(|timers| timers.len() == M::CLOCKS.len())?,
         })
     }
 }

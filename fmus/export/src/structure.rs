@@ -1,20 +1,23 @@
-//! Which variable depends on which: traced through the model's own equations.
+//! Which variable depends on which, and how: traced through the model's own equations.
 
-use swayless_scalar::Dependence;
+use std::collections::BTreeMap;
 
+use swayless_scalar::{Dependence, How};
+
+use crate::declaration::Kind;
 use crate::layout::{Block, Layout};
 use crate::model::{Environment, Model, Point};
-use crate::variables::{Variables, lift};
+use crate::variables::{Value, Variables, lift};
 
-/// For each scalar by its number, the numbers of what it depends on.
-type Sets = Vec<Vec<usize>>;
+/// The numbers of what a scalar depends on, and how.
+pub type Set = BTreeMap<usize, How>;
 
 /// The dependencies of a model.
 pub struct Structure {
     /// Of ẋ, y and d on t, u and x, while the simulation runs.
-    running: Sets,
+    running: Vec<Set>,
     /// Of x, ẋ, y and d on t, p, u and start values, when initialization ends. `None` means on all of them.
-    initial: Vec<Option<Vec<usize>>>,
+    initial: Vec<Option<Set>>,
 }
 
 impl Structure {
@@ -22,9 +25,9 @@ impl Structure {
     pub fn of<M: Model>() -> Self {
         let end = Layout::<M>::END;
         let direct = discrete_dependencies::<M>();
-        let mut running = vec![Vec::new(); end];
-        let mut initial = vec![Some(Vec::new()); end];
-        let p: M::Parameters<f64> = Variables::start();
+        let mut running = vec![Set::new(); end];
+        let mut initial = vec![Some(Set::new()); end];
+        let p = widest::<M>();
         // A model whose memory cannot be made without a file can be traced without it: the trace asks for no values.
         let memory = M::memory(&p, &Environment { resources: None }).ok();
         for window in (0..end).step_by(Dependence::WINDOW) {
@@ -39,19 +42,19 @@ impl Structure {
         Self { running, initial }
     }
 
-    /// What a scalar depends on while the simulation runs: numbers of time, inputs and states.
-    pub fn running(&self, number: usize) -> &[usize] {
+    /// What a scalar depends on while the simulation runs: time, inputs and states.
+    pub fn running(&self, number: usize) -> &Set {
         &self.running[number]
     }
 
     /// What a scalar depends on when initialization ends; `None` means on everything.
-    pub fn initial(&self, number: usize) -> Option<&[usize]> {
-        self.initial[number].as_deref()
+    pub fn initial(&self, number: usize) -> Option<&Set> {
+        self.initial[number].as_ref()
     }
 }
 
 /// The inputs and states that each scalar of d depends on, as declared.
-fn discrete_dependencies<M: Model>() -> Sets {
+fn discrete_dependencies<M: Model>() -> Vec<Set> {
     let of = |block| Layout::<M>::declarations(block);
     let numbers = |block: Block, first: usize, count: usize| {
         let begin = Layout::<M>::first(block) + first;
@@ -63,13 +66,14 @@ fn discrete_dependencies<M: Model>() -> Sets {
         .collect();
     let mut sets = Vec::new();
     for declaration in of(Block::Discrete) {
-        let set: Vec<usize> = match declaration.depends_on {
+        let numbers: Vec<usize> = match declaration.depends_on {
             None => known.iter().flat_map(|(_, numbers)| numbers.clone()).collect(),
             Some(names) => {
                 let named = |name: &&str| known.iter().find(|(known, _)| known == name);
                 names.iter().filter_map(named).flat_map(|(_, numbers)| numbers.clone()).collect()
             }
         };
+        let set: Set = numbers.into_iter().map(|number| (number, How::Dependent)).collect();
         sets.extend(std::iter::repeat_n(set, declaration.count()));
     }
     sets
@@ -79,27 +83,34 @@ fn discrete_dependencies<M: Model>() -> Sets {
 fn trace<M: Model>(
     window: usize,
     memory: &M::Memory,
-    discrete: &Sets,
-    running: &mut Sets,
-    initial: &mut [Option<Vec<usize>>],
+    discrete: &[Set],
+    running: &mut [Set],
+    initial: &mut [Option<Set>],
 ) {
-    let on = |number: usize| number.checked_sub(window).map_or(Dependence(0), Dependence::on);
+    let none = Dependence::number(How::Dependent);
+    let on = |number: usize| number.checked_sub(window).map_or(none, Dependence::on);
     let seed = |block: Block| move |index: usize, _: f64| on(Layout::<M>::first(block) + index);
-    let none = |_: usize, _: f64| Dependence(0);
-    let p: M::Parameters<f64> = Variables::start();
+    let p = widest::<M>();
     let u: M::Inputs<f64> = Variables::start();
     let x: M::States<f64> = Variables::start();
     let d: M::Discrete<f64> = Variables::start();
 
-    // While the simulation runs, parameters are constants.
-    let constants: M::Parameters<Dependence> = lift(&p, none);
+    // While the simulation runs, parameters are factors that are fixed or tunable.
+    let mut factors = Vec::new();
+    for declaration in Layout::<M>::declarations(Block::Parameters) {
+        let factor = if declaration.tunable { How::Tunable } else { How::Fixed };
+        factors.extend(std::iter::repeat_n(Dependence::number(factor), declaration.count()));
+    }
+    let constants: M::Parameters<Dependence> = lift(&p, |index, _| factors[index]);
     let inputs: M::Inputs<Dependence> = lift(&u, seed(Block::Inputs));
     let states: M::States<Dependence> = lift(&x, seed(Block::States));
-    let switched: M::Discrete<Dependence> =
-        lift(&d, |index, _| discrete[index].iter().map(|number| on(*number)).fold(Dependence(0), |a, b| a + b));
+    let switched: M::Discrete<Dependence> = lift(&d, |index, _| {
+        let changing = Dependence::number(How::Discrete);
+        discrete[index].keys().map(|number| on(*number).bent()).fold(changing, |a, b| a + b)
+    });
     let at = Point { t: on(0), p: &constants, u: &inputs, x: &states, d: &switched, memory };
     let mut add = |first: usize, index: usize, set: Dependence| {
-        running[first + index].extend(members(set).map(|member| window + member));
+        running[first + index].extend(members(set).map(|(member, how)| (window + member, how)));
     };
     let mut index = 0;
     M::derivatives(&at).each_real(&mut |set| {
@@ -114,14 +125,14 @@ fn trace<M: Model>(
 
     // When initialization ends, they follow from the start values of p, u and x; d is taken to follow from all of it,
     // so what depends on d depends on everything.
-    let everything = Dependence(u64::MAX);
+    let everything = Dependence::everything();
     let unknown = |set: Dependence, of_discrete: bool| if of_discrete { None } else { Some(set) };
     let parameters: M::Parameters<Dependence> = lift(&p, seed(Block::Parameters));
     let states = M::start(&parameters, &inputs, &states);
     let evaluate = |of_discrete: bool| {
-        let d: M::Discrete<Dependence> = lift(&d, |_, _| if of_discrete { everything } else { Dependence(0) });
+        let d: M::Discrete<Dependence> = lift(&d, |_, _| if of_discrete { everything } else { none });
         let at = Point { t: on(0), p: &parameters, u: &inputs, x: &states, d: &d, memory };
-        let mut sets = vec![Dependence(0); initial_count::<M>()];
+        let mut sets = vec![none; initial_count::<M>()];
         let n = Layout::<M>::STATE_COUNT;
         states.write_reals(&mut sets[..n]);
         M::derivatives(&at).write_reals(&mut sets[n..2 * n]);
@@ -131,8 +142,11 @@ fn trace<M: Model>(
     for (index, (with, without)) in evaluate(true).into_iter().zip(evaluate(false)).enumerate() {
         let place = &mut initial[Layout::<M>::STATES + index];
         // Only a dependence on d can make the whole window appear where it did not.
-        match (unknown(without, with == everything && without != everything), place.as_mut()) {
-            (Some(set), Some(known)) => known.extend(members(set).map(|member| window + member)),
+        let of_discrete = with.is_everything() && !without.is_everything();
+        match (unknown(without, of_discrete), place.as_mut()) {
+            (Some(set), Some(known)) => {
+                known.extend(members(set).map(|(member, how)| (window + member, how)));
+            }
             _ => *place = None,
         }
     }
@@ -142,6 +156,18 @@ fn initial_count<M: Model>() -> usize {
     Layout::<M>::DISCRETE - Layout::<M>::STATES
 }
 
-fn members(set: Dependence) -> impl Iterator<Item = usize> {
-    (0..Dependence::WINDOW).filter(move |member| set.contains(*member))
+fn members(set: Dependence) -> impl Iterator<Item = (usize, How)> {
+    (0..Dependence::WINDOW).filter_map(move |member| Some((member, set.how(member)?)))
+}
+
+/// Parameters with which all that arrays have room for is there.
+fn widest<M: Model>() -> M::Parameters<f64> {
+    let mut p: M::Parameters<f64> = Variables::start();
+    for declaration in Layout::<M>::declarations(Block::Parameters) {
+        if let (Kind::Size, Some(max)) = (declaration.kind, declaration.max) {
+            // An array has far fewer elements than a u32 can count.
+            p.set(declaration.first, Value::Size(max as u32));
+        }
+    }
+    p
 }

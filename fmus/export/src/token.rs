@@ -41,10 +41,37 @@ impl Hash {
     }
 }
 
+/// Which of a model's FMUs is meant: one library serves both, and the token tells which.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Variant {
+    /// The FMU that ticks its clocks itself, if it has any.
+    Plain,
+    /// The FMU whose clocks the importer ticks.
+    Clocked,
+}
+
+impl Variant {
+    /// The name of the FMU.
+    pub fn name<M: Model>(self) -> String {
+        match self {
+            Self::Plain => M::INFO.name.to_string(),
+            Self::Clocked => format!("{}Clocked", M::INFO.name),
+        }
+    }
+
+    /// Whether the FMU with clocks can be executed by a scheduler: nothing in it may happen between ticks.
+    pub fn has_scheduled_execution<M: Model>() -> bool {
+        Layout::<M>::STATE_COUNT == 0 && Layout::<M>::INDICATOR_COUNT == 0
+    }
+}
+
 /// The token of a model, written as a GUID.
-pub fn of<M: Model>() -> String {
+pub fn of<M: Model>(variant: Variant) -> String {
     let mut hash = Hash::new();
-    hash.add(M::INFO.name);
+    hash.add(&variant.name::<M>());
+    for clock in M::CLOCKS {
+        hash.add(&format!("{clock:?}"));
+    }
     hash.add(env!("CARGO_PKG_VERSION"));
     for block in [Block::Parameters, Block::Inputs, Block::States, Block::Outputs, Block::Discrete] {
         for declaration in Layout::<M>::declarations(block) {

@@ -11,6 +11,8 @@ pub enum Value<'a, R> {
     Real(R),
     /// An integer.
     Integer(i32),
+    /// The length of arrays.
+    Size(u32),
     /// A truth value.
     Boolean(bool),
     /// A text.
@@ -25,6 +27,7 @@ impl<'a, R> Value<'a, R> {
         match self {
             Self::Real(value) => Value::Real(f(value)),
             Self::Integer(value) => Value::Integer(value),
+            Self::Size(value) => Value::Size(value),
             Self::Boolean(value) => Value::Boolean(value),
             Self::Text(value) => Value::Text(value),
             Self::Enumeration(value) => Value::Enumeration(value),

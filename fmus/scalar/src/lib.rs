@@ -14,7 +14,7 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 
 use num_traits::{One, Zero};
 
-pub use dependence::Dependence;
+pub use dependence::{Dependence, How};
 pub use dual::Dual;
 
 /// A number of a model equation.

@@ -1,5 +1,6 @@
 //! The model description, from the declarations and the traced structure.
 
+mod clocks;
 mod definitions;
 mod structure;
 mod variables;
@@ -12,26 +13,31 @@ use crate::instance::TOLERANCE;
 use crate::layout::Layout;
 use crate::log::Category;
 use crate::model::Model;
-use crate::token;
+use crate::token::{self, Variant};
 
 /// The description of a model for a version of the standard.
-pub fn of<M: Model>(version: FmiVersion) -> ModelDescription {
-    let entries = variables::entries::<M>(version);
+pub fn of<M: Model>(version: FmiVersion, variant: Variant) -> ModelDescription {
+    let entries = variables::entries::<M>(version, variant);
+    let name = variant.name::<M>();
+    let is_fmi3 = version == FmiVersion::V3;
+    let scheduled = variant == Variant::Clocked && Variant::has_scheduled_execution::<M>();
     let structure = structure::of::<M>(&entries);
     let units = definitions::units(&entries);
     let interface = Interface {
-        model_identifier: M::INFO.name.to_string(),
+        model_identifier: name.clone(),
         can_not_use_memory_management_functions: true,
         can_get_and_set_fmu_state: true,
         can_serialize_fmu_state: true,
         provides_directional_derivatives: true,
         provides_adjoint_derivatives: true,
+        provides_per_element_dependencies: is_fmi3,
+        provides_evaluate_discrete_states: is_fmi3,
         ..Interface::default()
     };
     ModelDescription {
         fmi_version: version,
-        model_name: M::INFO.name.to_string(),
-        instantiation_token: token::of::<M>(),
+        model_name: name,
+        instantiation_token: token::of::<M>(variant),
         description: Some(M::INFO.description.to_string()),
         author: Some(env!("CARGO_PKG_AUTHORS").to_string()),
         version: Some(env!("CARGO_PKG_VERSION").to_string()),
@@ -43,14 +49,17 @@ pub fn of<M: Model>(version: FmiVersion) -> ModelDescription {
         variable_naming_convention: NamingConvention::Structured,
         co_simulation: Some(Interface {
             can_handle_variable_communication_step_size: true,
-            can_interpolate_inputs: version == FmiVersion::V2,
+            can_interpolate_inputs: !is_fmi3,
             max_output_derivative_order: 1,
-            has_event_mode: version == FmiVersion::V3,
-            might_return_early_from_do_step: version == FmiVersion::V3,
+            has_event_mode: is_fmi3,
+            might_return_early_from_do_step: is_fmi3,
+            provides_intermediate_update: is_fmi3,
+            can_return_early_after_intermediate_update: is_fmi3,
             ..interface.clone()
         }),
+        scheduled_execution: scheduled
+            .then(|| Interface { provides_evaluate_discrete_states: false, ..interface.clone() }),
         model_exchange: Some(interface),
-        scheduled_execution: None,
         type_definitions: definitions::types::<M>(&units),
         units: units.into_iter().map(definitions::unit).collect(),
         log_categories: Category::ALL

@@ -1,13 +1,14 @@
 //! `ModelStructure`.
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 
-use swayless_modeldesc::types::{Causality, Initial, ModelStructure, Unknown};
+use swayless_modeldesc::types::{Causality, DependencyKind, Initial, ModelStructure, Unknown};
+use swayless_scalar::How;
 
 use super::variables::Entry;
 use crate::layout::Block;
 use crate::model::Model;
-use crate::structure::Structure;
+use crate::structure::{Set, Structure};
 
 /// The structure over variables, which are arrays or their elements.
 pub fn of<M: Model>(entries: &[Entry]) -> ModelStructure {
@@ -15,40 +16,51 @@ pub fn of<M: Model>(entries: &[Entry]) -> ModelStructure {
     // The positions of variables by the numbers of their scalars.
     let position =
         |number: usize| entries.iter().position(|entry| (entry.first..entry.first + entry.count).contains(&number));
-    let unknown = |place: usize, dependencies: Option<BTreeSet<usize>>| Unknown {
+    let unknown = |place: usize, dependencies: Option<BTreeMap<usize, DependencyKind>>| Unknown {
         variable: place,
-        dependencies: dependencies.map(|set| set.into_iter().collect()),
+        dependencies_kind: dependencies.as_ref().map(|found| found.values().copied().collect()),
+        dependencies: dependencies.map(|found| found.into_keys().collect()),
         ..Unknown::default()
     };
-    let running = |place: usize, entry: &Entry| {
-        let numbers: BTreeSet<usize> = if entry.block == Block::States {
-            (entry.first..entry.first + entry.count).collect()
-        } else {
-            (entry.first..entry.first + entry.count).flat_map(|number| traced.running(number)).copied().collect()
-        };
-        unknown(place, Some(numbers.into_iter().filter_map(position).collect()))
-    };
-    let initial = |place: usize, entry: &Entry| {
-        let mut all = Some(BTreeSet::new());
-        for number in entry.first..entry.first + entry.count {
-            match (traced.initial(number), &mut all) {
-                (Some(numbers), Some(set)) => set.extend(
-                    // A calculated state is an unknown itself, not something to depend on.
-                    numbers
-                        .iter()
-                        .filter_map(|number| position(*number))
-                        .filter(|place| entries[*place].variable.initial != Some(Initial::Calculated)),
-                ),
-                _ => all = None,
+    // Of the elements of an array the most intricate dependence counts.
+    let gather = |sets: Vec<&Set>, kind: fn(How) -> DependencyKind| {
+        let mut found: BTreeMap<usize, How> = BTreeMap::new();
+        for (number, how) in sets.into_iter().flatten() {
+            if let Some(place) = position(*number) {
+                found.entry(place).and_modify(|known| *known = (*known).max(*how)).or_insert(*how);
             }
         }
-        unknown(place, all)
+        found.into_iter().map(|(place, how)| (place, kind(how))).collect::<BTreeMap<_, _>>()
+    };
+    let running = |place: usize, entry: &Entry| {
+        let numbers = entry.first..entry.first + entry.count;
+        if entry.block == Block::Clocks {
+            return unknown(place, None);
+        }
+        if entry.block == Block::States {
+            // A state is itself.
+            let itself: Set = numbers.map(|number| (number, How::Constant)).collect();
+            return unknown(place, Some(gather(vec![&itself], kind)));
+        }
+        unknown(place, Some(gather(numbers.map(|number| traced.running(number)).collect(), kind)))
+    };
+    let initial = |place: usize, entry: &Entry| {
+        let sets = (entry.first..entry.first + entry.count).map(|number| traced.initial(number));
+        let found = sets.collect::<Option<Vec<_>>>().map(|sets| {
+            let mut found = gather(sets, initial_kind);
+            // A calculated state is an unknown itself, not something to depend on.
+            found.retain(|place, _| entries[*place].variable.initial != Some(Initial::Calculated));
+            found
+        });
+        unknown(place, found)
     };
     let places = || entries.iter().enumerate();
     let is_output = |entry: &Entry| entry.variable.causality == Causality::Output;
+    // What a clock computes need not be known before it ticks (FMI 3.0.2, 2.2.8.3).
     let is_unknown = |entry: &Entry| {
+        let clocked = entry.block == Block::Clocks || !entry.variable.clocks.is_empty();
         let exposed = is_output(entry) || matches!(entry.block, Block::States | Block::Derivatives);
-        exposed && entry.variable.initial == Some(Initial::Calculated)
+        exposed && !clocked && entry.variable.initial == Some(Initial::Calculated)
     };
     ModelStructure {
         outputs: places().filter(|(_, e)| is_output(e)).map(|(i, e)| running(i, e)).collect(),
@@ -61,4 +73,19 @@ pub fn of<M: Model>(entries: &[Entry]) -> ModelStructure {
             .map(|(i, _)| unknown(i, None))
             .collect(),
     }
+}
+
+fn kind(how: How) -> DependencyKind {
+    match how {
+        How::Constant => DependencyKind::Constant,
+        How::Fixed => DependencyKind::Fixed,
+        How::Tunable => DependencyKind::Tunable,
+        How::Discrete => DependencyKind::Discrete,
+        How::Dependent => DependencyKind::Dependent,
+    }
+}
+
+/// Before the simulation runs, a factor is constant or it is not (FMI 3.0.2, 2.4.8).
+fn initial_kind(how: How) -> DependencyKind {
+    if how == How::Constant { DependencyKind::Constant } else { DependencyKind::Dependent }
 }

@@ -1,12 +1,15 @@
 //! `ModelVariables`.
 
 use swayless_modeldesc::types::{
-    Attributes, Causality, DataType, Dimension, FmiVersion, Initial, Start, Variability, Variable,
+    Alias, Attributes, Causality, DataType, Dimension, FmiVersion, Initial, Start, Variability, Variable,
 };
 
+use super::clocks::{clocks, clocks_of};
 use crate::declaration::{Declaration, Kind};
 use crate::layout::{Block, Layout};
 use crate::model::Model;
+use crate::sizes::Sizes;
+use crate::token::Variant;
 use crate::variables::{Value, Variables};
 
 /// A variable of the description with the numbers of its scalars.
@@ -18,21 +21,46 @@ pub struct Entry {
 }
 
 /// All variables, in the order of their numbers.
-pub fn entries<M: Model>(version: FmiVersion) -> Vec<Entry> {
+pub fn entries<M: Model>(version: FmiVersion, variant: Variant) -> Vec<Entry> {
+    let sizes = Sizes::of::<M>(&Variables::start());
     let mut entries = vec![Entry { block: Block::Time, first: 0, count: 1, variable: time() }];
     for block in [Block::Parameters, Block::Inputs, Block::States, Block::Derivatives, Block::Outputs, Block::Discrete]
     {
         let source = if block == Block::Derivatives { Block::States } else { block };
         for declaration in Layout::<M>::declarations(source) {
             let first = Layout::<M>::first(block) + declaration.first;
+            if version == FmiVersion::V2 && declaration.kind == Kind::Size {
+                // FMI 2.0 has arrays of their default length only.
+                continue;
+            }
             let whole = version == FmiVersion::V3 || declaration.dimension.is_none();
-            let parts = if whole { 1 } else { declaration.count() };
-            let count = declaration.count() / parts;
+            let length = sizes.as_ref().map_or(declaration.count(), |sizes| sizes.extent(first, declaration.count()));
+            let parts = if whole { 1 } else { length };
+            let count = if whole { declaration.count() } else { 1 };
             for part in 0..parts {
                 let name = if whole { declaration.name.clone() } else { format!("{}[{}]", declaration.name, part + 1) };
-                let start = start::<M>(block, declaration.first + part, count);
-                let variable = variable(block, &declaration, name, start, first + part, whole);
-                entries.push(Entry { block, first: first + part, count, variable });
+                let start = start::<M>(block, declaration.first + part, if whole { length } else { 1 });
+                let mut variable = variable(block, &declaration, name, start, first + part, whole);
+                if let Some(parameter) = declaration.length.filter(|_| whole) {
+                    variable.dimensions = lengths(&variable, parameter, &entries);
+                }
+                variable.intermediate_update &= version == FmiVersion::V3;
+                variable.clocks = clocks_of::<M>(&declaration, variant);
+                let alias = alias(&declaration, &variable, block);
+                if version == FmiVersion::V3 {
+                    variable.aliases.extend(alias);
+                    entries.push(Entry { block, first: first + part, count, variable });
+                } else {
+                    let other = alias.map(|alias| Variable {
+                        name: if whole { alias.name } else { format!("{}[{}]", alias.name, part + 1) },
+                        causality: Causality::Local,
+                        initial: Initial::default_for(Causality::Local, variable.variability),
+                        start: None,
+                        ..variable.clone()
+                    });
+                    entries.push(Entry { block, first: first + part, count, variable });
+                    entries.extend(other.map(|variable| Entry { block, first: first + part, count, variable }));
+                }
             }
         }
     }
@@ -44,6 +72,9 @@ pub fn entries<M: Model>(version: FmiVersion) -> Vec<Entry> {
             ..blank(Layout::<M>::name(Block::Indicators, index), first, DataType::Float64)
         };
         entries.push(Entry { block: Block::Indicators, first, count: 1, variable });
+    }
+    if variant == Variant::Clocked {
+        entries.extend(clocks::<M>());
     }
     // A derivative names its state by position.
     let positions: Vec<(usize, usize)> = entries
@@ -86,6 +117,7 @@ fn variable(
     let data_type = match declaration.kind {
         Kind::Real => DataType::Float64,
         Kind::Integer => DataType::Int32,
+        Kind::Size => DataType::UInt64,
         Kind::Boolean => DataType::Boolean,
         Kind::Text => DataType::String,
         Kind::Enumeration { .. } => DataType::Enumeration,
@@ -98,6 +130,10 @@ fn variable(
     let shown = if declaration.output { Causality::Output } else { Causality::Local };
     let (causality, variability, initial) = match block {
         Block::Time => (Causality::Independent, Variability::Continuous, None),
+        Block::Parameters if declaration.kind == Kind::Size => {
+            let variability = if declaration.tunable { Variability::Tunable } else { Variability::Fixed };
+            (Causality::StructuralParameter, variability, Some(Initial::Exact))
+        }
         Block::Parameters if declaration.tunable => (Causality::Parameter, Variability::Tunable, Some(Initial::Exact)),
         Block::Parameters => (Causality::Parameter, Variability::Fixed, Some(Initial::Exact)),
         Block::Inputs => (Causality::Input, changing, Some(Initial::Exact)),
@@ -106,7 +142,7 @@ fn variable(
         Block::Derivatives => (Causality::Local, Variability::Continuous, Some(Initial::Calculated)),
         Block::Outputs => (Causality::Output, Variability::Continuous, Some(Initial::Calculated)),
         Block::Discrete => (shown, Variability::Discrete, Some(Initial::Calculated)),
-        Block::Indicators => (Causality::Local, Variability::Continuous, Some(Initial::Calculated)),
+        Block::Indicators | Block::Clocks => (Causality::Local, Variability::Continuous, Some(Initial::Calculated)),
     };
     let derivative = block == Block::Derivatives;
     let unit = match declaration.unit {
@@ -139,7 +175,27 @@ fn variable(
         variable.attributes.nominal = declaration.nominal;
     }
     variable.attributes.unit = unit.map(|unit| unit.symbol.to_string());
+    variable.intermediate_update =
+        variability == Variability::Continuous && matches!(causality, Causality::Input | Causality::Output);
     variable
+}
+
+/// The dimension of an array whose length is a structural parameter.
+fn lengths(variable: &Variable, parameter: &str, entries: &[Entry]) -> Vec<Dimension> {
+    let found = entries.iter().find(|entry| entry.variable.name == parameter);
+    match found {
+        Some(entry) => vec![Dimension::Variable(entry.variable.value_reference)],
+        // `check` of the description tells that the name leads nowhere.
+        None => variable.dimensions.clone(),
+    }
+}
+
+/// The other name of a variable, with the groups around it.
+fn alias(declaration: &Declaration, variable: &Variable, block: Block) -> Option<Alias> {
+    let own = declaration.alias.filter(|_| block != Block::Derivatives)?;
+    let group = declaration.name.rfind('.').map_or("", |dot| &declaration.name[..=dot]);
+    let name = format!("{group}{own}");
+    Some(Alias { name, description: Some(format!("Another name of {}", variable.name)), display_unit: None })
 }
 
 /// The start values of some scalars of a block.
@@ -156,6 +212,7 @@ fn start<M: Model>(block: Block, first: usize, count: usize) -> Start {
                     .map(|i| if let Value::Text(value) = values.get(i) { value.to_string() } else { String::new() })
                     .collect(),
             ),
+            Value::Size(value) => Start::Integer(vec![value.into()]),
             Value::Integer(_) | Value::Enumeration(_) => Start::Integer(
                 range
                     .map(|i| match values.get(i) {
@@ -170,7 +227,7 @@ fn start<M: Model>(block: Block, first: usize, count: usize) -> Start {
         Block::Parameters => of(&<M::Parameters<f64> as Variables<f64>>::start(), first, count),
         Block::Inputs => of(&<M::Inputs<f64> as Variables<f64>>::start(), first, count),
         Block::States => of(&<M::States<f64> as Variables<f64>>::start(), first, count),
-        Block::Time | Block::Derivatives | Block::Outputs | Block::Discrete | Block::Indicators => {
+        Block::Time | Block::Derivatives | Block::Outputs | Block::Discrete | Block::Indicators | Block::Clocks => {
             Start::Float(Vec::new())
         }
     }

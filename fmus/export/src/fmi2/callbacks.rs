@@ -1,5 +1,7 @@
 //! The importer's logger of FMI 2.0.
 
+use std::sync::Arc;
+
 use swayless_abi::fmi2::{CallbackFunctions, CallbackLogger, ComponentEnvironment};
 
 use crate::log::{Log, Sink};
@@ -13,6 +15,8 @@ struct Logger {
 // SAFETY: the pointers are never followed here, only handed back; that the logger may be called from the thread that
 // steps the instance is the importer's part of the contract (FMI 2.0.5, 2.1.5).
 unsafe impl Send for Logger {}
+// SAFETY: as above; one instance is used by one thread at a time.
+unsafe impl Sync for Logger {}
 
 impl Sink for Logger {
     fn emit(&self, instance: &str, status: i32, category: &str, text: &str) {
@@ -35,5 +39,5 @@ pub unsafe fn log(functions: *const CallbackFunctions, on: bool) -> Log {
     let functions = unsafe { functions.as_ref() };
     let logger = functions.and_then(|functions| functions.logger);
     let environment = functions.map_or(std::ptr::null_mut(), |functions| functions.component_environment);
-    Log::new(Box::new(Logger { logger, environment }), on)
+    Log::new(Arc::new(Logger { logger, environment }), on)
 }

@@ -8,7 +8,7 @@ use super::callbacks::log;
 use crate::instance::Refusal;
 use crate::model::Model;
 use crate::phase::{Call, Interface, Phase};
-use crate::raw::{call, free, instantiate, slice, text};
+use crate::raw::{Order, Surroundings, call, free, instantiate, slice, text};
 use crate::uri;
 
 /// The pointers of all functions here are the importer's, as FMI 2.0.5 specifies them.
@@ -57,7 +57,15 @@ pub unsafe fn fmi2Instantiate<M: Model>(
         unsafe { (text(instance_name), text(fmu_guid), text(fmu_resource_location), log(functions, logging_on != 0)) };
     let interface = if fmu_type == MODEL_EXCHANGE { Interface::ModelExchange } else { Interface::CoSimulation };
     let resources = location.and_then(|location| uri::folder(&location));
-    instantiate::<M>(interface, name.as_deref(), guid.as_deref(), log, resources)
+    let order = Order {
+        interface,
+        may_have_clocks: false,
+        name: name.as_deref(),
+        token: guid.as_deref(),
+        resources,
+        surroundings: Surroundings::default(),
+    };
+    instantiate::<M>(order, log, |_| Ok(()))
 }
 
 /// See [`fmi2GetTypesPlatform`].

@@ -1,5 +1,7 @@
 //! The importer's log callback of FMI 3.0.
 
+use std::sync::Arc;
+
 use swayless_abi::fmi3::{InstanceEnvironment, LogMessageCallback};
 
 use crate::log::{Log, Sink};
@@ -13,6 +15,8 @@ struct Logger {
 // SAFETY: the environment is never followed here, only handed back; that the callback may be called from the thread
 // that steps the instance is the importer's part of the contract (FMI 3.0.2, 2.3.1).
 unsafe impl Send for Logger {}
+// SAFETY: as above; one instance is used by one thread at a time.
+unsafe impl Sync for Logger {}
 
 impl Sink for Logger {
     fn emit(&self, _instance: &str, status: i32, category: &str, text: &str) {
@@ -25,5 +29,5 @@ impl Sink for Logger {
 
 /// The log that calls the importer's callback, which may be missing.
 pub fn log(callback: LogMessageCallback, environment: InstanceEnvironment, on: bool) -> Log {
-    Log::new(Box::new(Logger { callback, environment }), on)
+    Log::new(Arc::new(Logger { callback, environment }), on)
 }

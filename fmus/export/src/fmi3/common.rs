@@ -6,10 +6,10 @@ use swayless_abi::fmi3::*;
 
 use super::callbacks::log;
 use crate::fmi2::unknown_category;
-use crate::instance::{EventMode, Instance as Runtime};
+use crate::instance::{EventMode, Instance as Runtime, Refusal};
 use crate::model::Model;
 use crate::phase::{Call, Interface, Phase};
-use crate::raw::{call, free, instantiate, no_such_interface, slice, text};
+use crate::raw::{Order, Surroundings, call, free, instantiate, slice, text};
 use crate::uri;
 
 /// The pointers of all functions here are the importer's, as FMI 3.0.2 specifies them.
@@ -34,6 +34,36 @@ pub unsafe fn fmi3SetDebugLogging<M: Model>(
     }
 }
 
+/// What an importer says of an instance that it wants.
+struct Wanted {
+    interface: Interface,
+    name: String,
+    token: String,
+    resource_path: String,
+    logging_on: Boolean,
+    log_message: LogMessageCallback,
+    surroundings: Surroundings,
+}
+
+/// Makes an instance and prepares it.
+///
+/// # Safety
+/// Texts and callbacks are the importer's, as FMI 3.0.2 specifies them; texts are copied.
+unsafe fn make<M: Model>(wanted: Wanted, prepare: impl FnOnce(&mut Runtime<M>) -> Result<(), Refusal>) -> Instance {
+    let log = log(wanted.log_message, wanted.surroundings.environment, wanted.logging_on != 0);
+    // SAFETY: the caller's promise.
+    let (name, token, path) = unsafe { (text(wanted.name), text(wanted.token), text(wanted.resource_path)) };
+    let order = Order {
+        interface: wanted.interface,
+        may_have_clocks: true,
+        name: name.as_deref(),
+        token: token.as_deref(),
+        resources: path.and_then(|path| uri::folder(&path)),
+        surroundings: wanted.surroundings,
+    };
+    instantiate::<M>(order, log, prepare)
+}
+
 /// See [`fmi3GetVersion`].
 pub unsafe fn fmi3InstantiateModelExchange<M: Model>(
     instance_name: String,
@@ -44,11 +74,17 @@ pub unsafe fn fmi3InstantiateModelExchange<M: Model>(
     instance_environment: InstanceEnvironment,
     log_message: LogMessageCallback,
 ) -> Instance {
-    let log = log(log_message, instance_environment, logging_on != 0);
-    // SAFETY: texts are the importer's, as the standard specifies; they are copied.
-    let (name, token, path) = unsafe { (text(instance_name), text(instantiation_token), text(resource_path)) };
-    let resources = path.and_then(|path| uri::folder(&path));
-    instantiate::<M>(Interface::ModelExchange, name.as_deref(), token.as_deref(), log, resources)
+    let wanted = Wanted {
+        interface: Interface::ModelExchange,
+        name: instance_name,
+        token: instantiation_token,
+        resource_path,
+        logging_on,
+        log_message,
+        surroundings: Surroundings { environment: instance_environment, ..Surroundings::default() },
+    };
+    // SAFETY: what is given is the importer's, as the standard specifies.
+    unsafe { make::<M>(wanted, |_| Ok(())) }
 }
 
 /// See [`fmi3GetVersion`].
@@ -61,43 +97,66 @@ pub unsafe fn fmi3InstantiateCoSimulation<M: Model>(
     logging_on: Boolean,
     event_mode_used: Boolean,
     early_return_allowed: Boolean,
-    _required_intermediate_variables: *const ValueReference,
-    _n_required_intermediate_variables: usize,
+    required_intermediate_variables: *const ValueReference,
+    n_required_intermediate_variables: usize,
     instance_environment: InstanceEnvironment,
     log_message: LogMessageCallback,
-    _intermediate_update: IntermediateUpdateCallback,
+    intermediate_update: IntermediateUpdateCallback,
 ) -> Instance {
-    let log = log(log_message, instance_environment, logging_on != 0);
-    // SAFETY: texts are the importer's, as the standard specifies; they are copied.
-    let (name, token, path) = unsafe { (text(instance_name), text(instantiation_token), text(resource_path)) };
-    let resources = path.and_then(|path| uri::folder(&path));
-    let made = instantiate::<M>(Interface::CoSimulation, name.as_deref(), token.as_deref(), log, resources);
-    if !made.is_null() {
-        // SAFETY: not NULL, so the instance that has just been made, which nobody else knows yet.
-        let instance = unsafe { &mut *made.cast::<Runtime<M>>() };
-        instance.event_mode = EventMode { used: event_mode_used != 0, early_return: early_return_allowed != 0 };
+    let wanted = Wanted {
+        interface: Interface::CoSimulation,
+        name: instance_name,
+        token: instantiation_token,
+        resource_path,
+        logging_on,
+        log_message,
+        surroundings: Surroundings {
+            environment: instance_environment,
+            intermediate_update,
+            ..Surroundings::default()
+        },
+    };
+    // SAFETY: what is given is the importer's, as the standard specifies.
+    unsafe {
+        make::<M>(wanted, |instance| {
+            instance.event_mode = EventMode { used: event_mode_used != 0, early_return: early_return_allowed != 0 };
+            let required = (required_intermediate_variables, n_required_intermediate_variables);
+            instance.require_intermediate(slice(required.0, required.1, "requiredIntermediateVariables")?)
+        })
     }
-    made
 }
 
 /// See [`fmi3GetVersion`].
 #[allow(clippy::too_many_arguments, reason = "the signature is the standard's")]
 pub unsafe fn fmi3InstantiateScheduledExecution<M: Model>(
     instance_name: String,
-    _instantiation_token: String,
-    _resource_path: String,
+    instantiation_token: String,
+    resource_path: String,
     _visible: Boolean,
     logging_on: Boolean,
     instance_environment: InstanceEnvironment,
     log_message: LogMessageCallback,
-    _clock_update: ClockUpdateCallback,
-    _lock_preemption: LockPreemptionCallback,
-    _unlock_preemption: UnlockPreemptionCallback,
+    clock_update: ClockUpdateCallback,
+    lock_preemption: LockPreemptionCallback,
+    unlock_preemption: UnlockPreemptionCallback,
 ) -> Instance {
-    let log = log(log_message, instance_environment, logging_on != 0);
-    // SAFETY: the text is the importer's, as the standard specifies.
-    let name = unsafe { text(instance_name) };
-    no_such_interface(name.as_deref(), &log, "scheduled execution")
+    let wanted = Wanted {
+        interface: Interface::ScheduledExecution,
+        name: instance_name,
+        token: instantiation_token,
+        resource_path,
+        logging_on,
+        log_message,
+        surroundings: Surroundings {
+            environment: instance_environment,
+            clock_update,
+            lock_preemption,
+            unlock_preemption,
+            ..Surroundings::default()
+        },
+    };
+    // SAFETY: what is given is the importer's, as the standard specifies.
+    unsafe { make::<M>(wanted, |_| Ok(())) }
 }
 
 /// See [`fmi3GetVersion`].

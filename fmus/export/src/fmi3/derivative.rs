@@ -10,9 +10,9 @@ use crate::phase::Call;
 use crate::raw::{call, first_order, slice, slice_mut};
 
 /// The numbers of the scalars of variables, arrays being as many as they have elements.
-fn numbers<M: Model>(references: &[ValueReference]) -> Result<Vec<usize>, Refusal> {
+fn numbers<M: Model>(instance: &Runtime<M>, references: &[ValueReference]) -> Result<Vec<usize>, Refusal> {
     let mut numbers = Vec::new();
-    each_scalar::<M>(references, None, |_, block, index| {
+    each_scalar::<M>(instance.sizes.as_deref(), references, None, |_, block, index| {
         numbers.push(Layout::<M>::first(block) + index);
         Ok(())
     })?;
@@ -37,8 +37,8 @@ macro_rules! derivatives {
             // SAFETY: the instance and the arrays are the importer's, as the standard specifies.
             unsafe {
                 call::<M>(instance, Call::GetDerivative, stringify!($name), |instance| {
-                    let unknowns = numbers::<M>(slice(unknowns, n_unknowns, "unknowns")?)?;
-                    let knowns = numbers::<M>(slice(knowns, n_knowns, "knowns")?)?;
+                    let unknowns = numbers(instance, slice(unknowns, n_unknowns, "unknowns")?)?;
+                    let knowns = numbers(instance, slice(knowns, n_knowns, "knowns")?)?;
                     let seed = slice(seed, n_seed, "seed")?;
                     let sensitivity = slice_mut(sensitivity, n_sensitivity, "sensitivity")?;
                     Runtime::$method(instance, &unknowns, &knowns, seed, sensitivity)
@@ -66,7 +66,7 @@ pub unsafe fn fmi3GetOutputDerivatives<M: Model>(
     unsafe {
         call::<M>(instance, Call::GetOutputDerivatives, "fmi3GetOutputDerivatives", |instance| {
             first_order(slice(orders, n_value_references, "orders")?)?;
-            let outputs = numbers::<M>(slice(value_references, n_value_references, "valueReferences")?)?;
+            let outputs = numbers(instance, slice(value_references, n_value_references, "valueReferences")?)?;
             instance.output_derivatives(&outputs, slice_mut(values, n_values, "values")?)
         })
     }

@@ -14,6 +14,17 @@ pub unsafe fn fmi3EnterEventMode<M: Model>(instance: Instance) -> Status {
 }
 
 /// See [`fmi3GetVersion`](super::fmi3GetVersion).
+pub unsafe fn fmi3EvaluateDiscreteStates<M: Model>(instance: Instance) -> Status {
+    // SAFETY: the importer's instance.
+    unsafe {
+        call::<M>(instance, Call::NewDiscreteStates, "fmi3EvaluateDiscreteStates", |instance| {
+            instance.pending = true;
+            instance.evaluate()
+        })
+    }
+}
+
+/// See [`fmi3GetVersion`](super::fmi3GetVersion).
 pub unsafe fn fmi3UpdateDiscreteStates<M: Model>(
     instance: Instance,
     discrete_states_need_update: *mut Boolean,
@@ -145,8 +156,8 @@ pub unsafe fn fmi3GetNumberOfEventIndicators<M: Model>(instance: Instance, n: *m
 pub unsafe fn fmi3GetNumberOfContinuousStates<M: Model>(instance: Instance, n: *mut usize) -> Status {
     // SAFETY: the instance and the place for the answer are the importer's.
     unsafe {
-        call::<M>(instance, Call::GetCounts, "fmi3GetNumberOfContinuousStates", |_| {
-            put(n, Layout::<M>::STATE_COUNT);
+        call::<M>(instance, Call::GetCounts, "fmi3GetNumberOfContinuousStates", |instance| {
+            put(n, instance.state_count());
             Ok(())
         })
     }

@@ -7,11 +7,13 @@ use crate::layout::{Block, Layout};
 use crate::model::Model;
 use crate::phase::Call;
 use crate::raw::{c_text, call, slice, slice_mut, text};
+use crate::sizes::Sizes;
 use crate::variables::Value;
 
 /// Visits every scalar of the variables with its place among the values; there must be as many of these, if their
 /// number is given.
 pub(super) fn each_scalar<M: Model>(
+    sizes: Option<&Sizes>,
     references: &[ValueReference],
     n_values: Option<usize>,
     mut visit: impl FnMut(usize, Block, usize) -> Result<(), Refusal>,
@@ -19,10 +21,11 @@ pub(super) fn each_scalar<M: Model>(
     let mut next = 0;
     for reference in references {
         let found = Layout::<M>::locate(*reference);
-        let extent = found.map_or(0, |(block, index)| Layout::<M>::extent(block, index));
-        let Some((block, index)) = found.filter(|_| extent > 0) else {
+        let capacity = found.map_or(0, |(block, index)| Layout::<M>::extent(block, index));
+        let Some((block, index)) = found.filter(|_| capacity > 0) else {
             return Err(Refusal::error(format!("there is no variable with value reference {reference}")));
         };
+        let extent = sizes.map_or(capacity, |sizes| sizes.extent(Layout::<M>::first(block) + index, capacity));
         // What does not fit is counted on, for the message.
         if n_values.is_none_or(|n| next + extent <= n) {
             for element in 0..extent {
@@ -57,7 +60,8 @@ macro_rules! accessors {
                 call::<M>(instance, Call::Get, stringify!($get), |instance| {
                     let references = slice(value_references, n_value_references, "valueReferences")?;
                     let values = slice_mut(values, n_values, "values")?;
-                    each_scalar::<M>(references, Some(n_values), |place, block, index| {
+                    let sizes = instance.sizes.clone();
+                    each_scalar::<M>(sizes.as_deref(), references, Some(n_values), |place, block, index| {
                         let Value::$variant(value) = instance.get(block, index)? else {
                             return Err(wrong_type::<M>(block, index, stringify!($get)));
                         };
@@ -81,7 +85,8 @@ macro_rules! accessors {
                 call::<M>(instance, Call::Set, stringify!($set), |instance| {
                     let references = slice(value_references, n_value_references, "valueReferences")?;
                     let values = slice(values, n_values, "values")?;
-                    each_scalar::<M>(references, Some(n_values), |place, block, index| {
+                    let sizes = instance.sizes.clone();
+                    each_scalar::<M>(sizes.as_deref(), references, Some(n_values), |place, block, index| {
                         instance.set(block, index, Value::$variant($to_value(values[place])))
                     })
                 })
@@ -95,6 +100,9 @@ accessors!(Int32, Integer, fmi3GetInt32, |value| value, fmi3SetInt32, |value| va
 accessors!(Boolean, Boolean, fmi3GetBoolean, u8::from, fmi3SetBoolean, |value| value != 0);
 // Enumerations are exchanged as Int64. A value no item can have becomes 0, which is none.
 accessors!(Int64, Enumeration, fmi3GetInt64, Int64::from, fmi3SetInt64, |value| i32::try_from(value).unwrap_or(0));
+
+// Structural parameters are UInt64. A length no array can have becomes the greatest, which is refused.
+accessors!(UInt64, Size, fmi3GetUInt64, UInt64::from, fmi3SetUInt64, |value| u32::try_from(value).unwrap_or(u32::MAX));
 
 /// See [`fmi3GetVersion`](super::fmi3GetVersion).
 pub unsafe fn fmi3GetString<M: Model>(
@@ -110,7 +118,8 @@ pub unsafe fn fmi3GetString<M: Model>(
             let references = slice(value_references, n_value_references, "valueReferences")?;
             let values = slice_mut(values, n_values, "values")?;
             instance.returned.clear();
-            each_scalar::<M>(references, Some(n_values), |_, block, index| {
+            let sizes = instance.sizes.clone();
+            each_scalar::<M>(sizes.as_deref(), references, Some(n_values), |_, block, index| {
                 let Value::Text(text) = instance.get(block, index)? else {
                     return Err(wrong_type::<M>(block, index, "fmi3GetString"));
                 };
@@ -139,7 +148,8 @@ pub unsafe fn fmi3SetString<M: Model>(
         call::<M>(instance, Call::Set, "fmi3SetString", |instance| {
             let references = slice(value_references, n_value_references, "valueReferences")?;
             let values = slice(values, n_values, "values")?;
-            each_scalar::<M>(references, Some(n_values), |place, block, index| {
+            let sizes = instance.sizes.clone();
+            each_scalar::<M>(sizes.as_deref(), references, Some(n_values), |place, block, index| {
                 let value = text(values[place]).ok_or_else(|| Refusal::error("a text to set is NULL"))?;
                 instance.set(block, index, Value::Text(&value))
             })
@@ -183,7 +193,6 @@ of_no_variable! {
     Int16, fmi3GetInt16, fmi3SetInt16;
     UInt16, fmi3GetUInt16, fmi3SetUInt16;
     UInt32, fmi3GetUInt32, fmi3SetUInt32;
-    UInt64, fmi3GetUInt64, fmi3SetUInt64;
 }
 
 /// Refuses a call for variables of a type that none has.

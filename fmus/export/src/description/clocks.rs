@@ -1,0 +1,54 @@
+//! Clocks in `ModelVariables`.
+
+use swayless_modeldesc::types::{Causality, Clock, DataType, IntervalVariability, Variability, Variable};
+
+use super::variables::Entry;
+use crate::clocks::Interval;
+use crate::declaration::Declaration;
+use crate::layout::{Block, Layout};
+use crate::model::Model;
+use crate::token::Variant;
+
+/// The value reference of a clock.
+fn clock_reference<M: Model>(index: usize) -> u32 {
+    u32::try_from(Layout::<M>::CLOCKS + index).unwrap_or(u32::MAX)
+}
+
+/// The value references of the clocks that compute a variable.
+pub fn clocks_of<M: Model>(declaration: &Declaration, variant: Variant) -> Vec<u32> {
+    let own = declaration.clock.filter(|_| variant == Variant::Clocked);
+    let named = M::CLOCKS.iter().position(|clock| Some(clock.name) == own);
+    named.map(clock_reference::<M>).into_iter().collect()
+}
+
+/// The clocks as variables.
+pub fn clocks<M: Model>() -> impl Iterator<Item = Entry> {
+    M::CLOCKS.iter().enumerate().map(|(index, clock)| {
+        let causality = if clock.interval.is_output() { Causality::Output } else { Causality::Input };
+        let reference = clock_reference::<M>(index);
+        let mut variable = Variable::new(clock.name, reference, DataType::Clock, causality, Variability::Discrete);
+        variable.description = Some(clock.description.to_string());
+        variable.initial = None;
+        variable.clock = Some(described(clock));
+        Entry { block: Block::Clocks, first: Layout::<M>::CLOCKS + index, count: 1, variable }
+    })
+}
+
+fn described(clock: &crate::clocks::Clock) -> Clock {
+    let interval = clock.interval;
+    let variability = match interval {
+        Interval::Constant(_) => IntervalVariability::Constant,
+        Interval::Fixed(_) | Interval::OfFixedParameters => IntervalVariability::Fixed,
+        Interval::Tunable(_) | Interval::OfTunableParameters => IntervalVariability::Tunable,
+        Interval::Changing => IntervalVariability::Changing,
+        Interval::Countdown => IntervalVariability::Countdown,
+        Interval::Triggered => IntervalVariability::Triggered,
+    };
+    Clock {
+        // An output clock has none; an input clock needs one in scheduled execution.
+        priority: (!interval.is_output()).then_some(clock.priority),
+        interval_decimal: interval.declared(),
+        shift_decimal: interval.declared().map(|_| clock.shift),
+        ..Clock::new(variability)
+    }
+}
