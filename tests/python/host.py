@@ -31,6 +31,10 @@ class Fmu:
         self.variables = {v.name: v for v in self.description.modelVariables}
         self.inputs = [v for v in self.variables.values() if v.causality == "input"]
 
+    def folder_path(self):
+        """Where it is unpacked."""
+        return Path(self.folder)
+
     def with_files(self, parameters):
         """The parameters, with a recorded command where the FMU reads one."""
         files = {v.name: COMMAND for v in self.variables.values() if v.name == "file" and v.type == "String"}
