@@ -28,14 +28,20 @@ class Callbacks2(ctypes.Structure):
 
 
 class Library:
-    """A loaded library; `close` unloads it."""
+    """A loaded library, until `close` unloads it."""
 
     def __init__(self, fmu):
         self.fmu = fmu
         self.dll = ctypes.CDLL(str(library_path(fmu)))
 
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
     def close(self):
-        """What dlclose returns is 0 if all went well."""
+        """Unloads it."""
         _ctypes.dlclose(self.dll._handle)
 
 

@@ -70,7 +70,7 @@ def on(instance, k):
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_model_without_fault_lives_through_all_of_it(named, version, kind):
     """So that what follows fails for no other reason."""
-    with Raw(Library(named(version, "Faulty")), kind) as instance:
+    with Library(named(version, "Faulty")) as library, Raw(library, kind) as instance:
         assert first_failure(life(instance, "")) == OK, instance.messages
 
 
@@ -79,34 +79,34 @@ def test_a_model_without_fault_lives_through_all_of_it(named, version, kind):
 @pytest.mark.parametrize("place", CALLS)
 def test_a_panic_is_fatal_for_its_instance_only(named, version, kind, place, capfd):
     """Fatal, logged though logging is off, then refusals until the instance is freed; the one beside it goes on."""
-    library = Library(named(version, "Faulty"))
-    expected = alone(library, kind, 4)
-    with Raw(library, kind) as neighbour, Raw(library, kind) as instance:
-        assert neighbour.initialize() == OK
-        seen = [row for k in range(2) for row in on(neighbour, k)]
+    with Library(named(version, "Faulty")) as library:
+        expected = alone(library, kind, 4)
+        with Raw(library, kind) as neighbour, Raw(library, kind) as instance:
+            assert neighbour.initialize() == OK
+            seen = [row for k in range(2) for row in on(neighbour, k)]
 
-        assert first_failure(life(instance, place)) == FATAL
-        assert len(instance.messages) == 1
-        _, _, status, category, text, _ = instance.messages[0]
-        assert (status, category) == (FATAL, b"logStatusFatal")
-        # The function, what the panic said, and where it was.
-        function = CALLS[place][KINDS.index(kind)]
-        assert function in text.decode() and f"a fault in {place}" in text.decode() and ".rs:" in text.decode()
-        for refused in (instance.call("Terminate"), instance.call("Reset"), instance.take()[0], instance.step(0.0)):
-            assert refused == ERROR
-        assert all(message[2] == ERROR for message in instance.messages[1:])
-        instance.free()
+            assert first_failure(life(instance, place)) == FATAL
+            assert len(instance.messages) == 1
+            _, _, status, category, text, _ = instance.messages[0]
+            assert (status, category) == (FATAL, b"logStatusFatal")
+            # The function, what the panic said, and where it was.
+            function = CALLS[place][KINDS.index(kind)]
+            assert function in text.decode() and f"a fault in {place}" in text.decode() and ".rs:" in text.decode()
+            for refused in (instance.call("Terminate"), instance.call("Reset"), instance.take()[0], instance.step(0.0)):
+                assert refused == ERROR
+            assert all(message[2] == ERROR for message in instance.messages[1:])
+            instance.free()
 
-        seen += [row for k in range(2, 4) for row in on(neighbour, k)]
-        assert seen == expected and neighbour.messages == []
-    assert alone(library, kind, 4) == expected, "new instances can be made"
-    assert capfd.readouterr() == ("", "")
+            seen += [row for k in range(2, 4) for row in on(neighbour, k)]
+            assert seen == expected and neighbour.messages == []
+        assert alone(library, kind, 4) == expected, "new instances can be made"
+        assert capfd.readouterr() == ("", "")
 
 
 @both
 def test_a_panic_while_an_instance_is_freed_ends_there(named, version, capfd):
     """Freeing returns nothing, so that there is nothing to say."""
-    with Raw(Library(named(version, "Faulty")), "CoSimulation") as instance:
+    with Library(named(version, "Faulty")) as library, Raw(library, "CoSimulation") as instance:
         assert instance.initialize({"fault": "drop"}) == OK
         instance.free()
     assert capfd.readouterr() == ("", "")
@@ -116,7 +116,7 @@ def test_a_panic_while_an_instance_is_freed_ends_there(named, version, capfd):
 @pytest.mark.parametrize("place", ["event", "derivatives", "indicators"])
 def test_a_panic_under_way(named, version, place):
     """A tunable parameter turns the fault on after some steps."""
-    with Raw(Library(named(version, "Faulty")), "CoSimulation") as instance:
+    with Library(named(version, "Faulty")) as library, Raw(library, "CoSimulation") as instance:
         assert instance.initialize() == OK
         assert [instance.step(0.05 * k) for k in range(3)] == [OK] * 3
         assert instance.set({"fault": place}) == OK
