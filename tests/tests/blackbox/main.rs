@@ -6,6 +6,8 @@ mod instance;
 mod libraries;
 mod mistakes;
 mod packaged;
+#[cfg(target_os = "linux")]
+mod portable;
 mod python;
 mod reference;
 mod repository;

@@ -22,7 +22,7 @@ fn checks_in_python_pass() {
 }
 
 /// The interpreter of a virtual environment with the pinned packages, which is made anew when they change.
-fn environment() -> PathBuf {
+pub fn environment() -> PathBuf {
     let requirements = repository().join("tests/python/requirements.txt");
     let wanted = std::fs::read_to_string(&requirements).expect("requirements");
     let folder = packaged::target().join("python");

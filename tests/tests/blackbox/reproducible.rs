@@ -33,7 +33,7 @@ fn another_folder_gives_the_same_bytes() {
 }
 
 /// Makes `to` hold what `from` holds, but for what is built, without touching files that are the same.
-fn synchronize(from: &Path, to: &Path) {
+pub fn synchronize(from: &Path, to: &Path) {
     std::fs::create_dir_all(to).expect("a folder");
     let mut kept = BTreeSet::new();
     for entry in std::fs::read_dir(from).expect("a folder") {
