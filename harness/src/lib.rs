@@ -14,6 +14,7 @@ pub mod signals;
 pub mod simulation;
 pub mod slave;
 pub mod system;
+pub mod terminals;
 pub mod validate;
 
 pub use error::{Error, Result};

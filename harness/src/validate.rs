@@ -4,11 +4,13 @@ use std::fmt;
 use std::path::Path;
 
 use swayless_modeldesc::problem::{Problem, ReadError, Severity};
+use swayless_modeldesc::terminals::TERMINALS_AND_ICONS;
 use swayless_modeldesc::types::ModelDescription;
 use swayless_modeldesc::{check, ssp};
 
 use crate::archive::Unpacked;
 use crate::error::{Error, Result};
+use crate::terminals;
 
 /// One thing that is wrong with a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -30,7 +32,7 @@ impl fmt::Display for Finding {
 
 const DESCRIPTION: &str = "modelDescription.xml";
 
-/// Checks an FMU (its archive, its model description, whether there is something to run), or an SSP document or archive
+/// Checks an FMU (its archive, its model description, its terminals, whether there is something to run), or an SSP document or archive
 /// with the parameter sets it names. FMUs that a system names are not looked at.
 ///
 /// # Errors
@@ -72,7 +74,11 @@ fn in_archive(
 fn fmu(file: &Path, folder: &Path) -> Result<Vec<Finding>> {
     let bytes = std::fs::read(file).map_err(|source| Error::io("read", file, source))?;
     let (description, mut findings) = document(check::read_and_check(&bytes), Some(DESCRIPTION));
-    findings.extend(description.iter().flat_map(|d| binaries(d, folder)));
+    let Some(description) = description else { return Ok(findings) };
+    if let Some(read) = terminals::read(folder, &description)? {
+        findings.extend(document(read, Some(TERMINALS_AND_ICONS)).1);
+    }
+    findings.extend(binaries(&description, folder));
     Ok(findings)
 }
 

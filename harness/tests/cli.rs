@@ -88,6 +88,63 @@ fn validation_tells_all_problems_and_exits_with_3() {
     assert!(json[0]["problems"].as_array().unwrap().len() >= 3);
 }
 
+/// An FMU with a bit of everything that ticks and groups, beside what a model description must have.
+fn clocked(folder: &Path) -> PathBuf {
+    let description = include_str!("../../modeldesc/tests/golden/fmi3_clocks.xml");
+    let terminals = "<fmiTerminalsAndIcons fmiVersion='3.0'><Terminals>\n\
+                     <Terminal name='swing' matchingRule='bus' terminalKind='sway'>\n\
+                     <TerminalMemberVariable variableName='swing.push' memberName='push' variableKind='signal'/>\n\
+                     <TerminalMemberVariable variableName='swing.pull' memberName='pull' variableKind='signal'/>\n\
+                     </Terminal></Terminals></fmiTerminalsAndIcons>";
+    let entries = [
+        ("modelDescription.xml", description),
+        ("terminalsAndIcons/terminalsAndIcons.xml", terminals),
+        ("binaries/x86_64-linux/Pendulum.so", ""),
+    ];
+    archive(folder, "clocked.fmu", &entries)
+}
+
+#[test]
+fn terminals_are_validated_with_the_variables() {
+    let folder = tempfile::tempdir().unwrap();
+    let (stdout, _) = exits(&["validate", clocked(folder.path()).to_str().unwrap()], FOUND_PROBLEMS);
+    assert_eq!(stdout.lines().count(), 1, "{stdout}");
+    let place = "terminalsAndIcons/terminalsAndIcons.xml: line 4: error:";
+    assert!(stdout.contains(place) && stdout.contains("`swing.pull`"), "{stdout}");
+}
+
+#[test]
+fn info_shows_enumerations_clocks_sizes_and_terminals() {
+    let folder = tempfile::tempdir().unwrap();
+    let fmu = clocked(folder.path());
+    let (stdout, stderr) = exits(&["info", fmu.to_str().unwrap()], 0);
+    assert_eq!(stderr, "");
+    let has = |words: &[&str]| {
+        let found = |line: &str| line.split_whitespace().collect::<Vec<_>>() == words;
+        assert!(stdout.lines().any(found), "{words:?} is not in\n{stdout}");
+    };
+    has(&["Kind", "Payload", "2", "and", "hook"]);
+    has(&["n", "3", "modes"]);
+    has(&["ticks.constant", "constant", "0.5", "0", "count,", "count.before"]);
+    has(&["ticks.countdown", "countdown", "4"]);
+    has(&["swing", "sway", "push", "swing.push"]);
+    assert!(stdout.contains("Float32[2][n]"), "{stdout}");
+
+    let (json, _) = exits(&["info", "--json", fmu.to_str().unwrap()], 0);
+    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    for (path, value) in [
+        ("/interfaces/CoSimulation/hasEventMode", serde_json::json!(true)),
+        ("/interfaces/ModelExchange/needsCompletedIntegratorStep", serde_json::json!(true)),
+        ("/interfaces/ScheduledExecution/modelIdentifier", serde_json::json!("Pendulum")),
+        ("/enumerations/0/items/1/value", serde_json::json!(2)),
+        ("/variables/13/clock/intervalVariability", serde_json::json!("constant")),
+        ("/variables/20/clocks", serde_json::json!(["ticks.constant", "ticks.fixed"])),
+        ("/terminals/0/members/0/variableName", serde_json::json!("swing.push")),
+    ] {
+        assert_eq!(json.pointer(path), Some(&value), "{path}");
+    }
+}
+
 #[test]
 fn a_broken_archive_is_a_problem_of_the_file() {
     let folder = tempfile::tempdir().unwrap();

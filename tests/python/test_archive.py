@@ -30,7 +30,7 @@ def test_archive_holds_what_an_fmu_needs(fmu):
         wanted = {"modelDescription.xml", binary(fmu), "documentation/index.html", *icons}
         assert wanted <= entries.keys()
         extra = entries.keys() - wanted
-        allowed = re.compile(r"(resources|documentation|extra)/.+|terminalsAndIcons/terminalsAndIcons\.xml")
+        allowed = re.compile(r"(resources|documentation|extra)/.+|terminalsAndIcons/terminal(sAndIcons\.xml|\.png|\.svg)")
         assert all(allowed.fullmatch(name) for name in extra), extra
         assert "documentation/licenses/license.txt" in extra
         for entry in entries.values():

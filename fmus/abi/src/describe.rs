@@ -1,6 +1,6 @@
 //! The one function of ours that every FMU library exports beside the standard's: it describes itself.
 //!
-//! The packager asks the library for its model descriptions, documentation and icon, so that what lies in the archive
+//! The packager asks the library for its model descriptions, terminals, documentation and icon, so that what lies in the archive
 //! cannot drift from what the library does.
 
 use core::ffi::{c_char, c_int, c_void};
@@ -21,6 +21,10 @@ pub const FMI2: &core::ffi::CStr = c"fmi2/modelDescription.xml";
 pub const FMI3: &core::ffi::CStr = c"fmi3/modelDescription.xml";
 /// `modelDescription.xml` of the FMU with clocks, `<Name>Clocked`, for FMI 3.0; most libraries have none.
 pub const CLOCKED: &core::ffi::CStr = c"fmi3-clocked";
+/// `terminalsAndIcons.xml` of FMI 3.0.
+pub const TERMINALS: &core::ffi::CStr = c"fmi3/terminalsAndIcons.xml";
+/// The base name under which [`TERMINALS`] refers to the picture of a terminal, which the packager draws.
+pub const TERMINAL_PICTURE: &str = "terminal";
 /// The documentation page, in Markdown.
 pub const DOCUMENTATION: &core::ffi::CStr = c"documentation.md";
 /// The icon, in SVG.

@@ -1,6 +1,6 @@
 //! `BoomCrane`: a mobile boom crane with a suspended payload, driven by rates (thesis 2.1).
 
-use swayless_export::{Event, Info, Model, Point, Problem, Scalar, Variables, export_fmu};
+use swayless_export::{Event, Info, Model, Point, Problem, Scalar, Terminal, Variables, export_fmu};
 use swayless_mechanics::{Boom, BoomRates, Limits, Payload, Suspension, Swing, SwingFrame, Vector};
 
 mod variables;
@@ -65,12 +65,78 @@ fn hoist_limits(p: &Parameters<f64>) -> Limits {
     Limits { min: p.hoist.length_min, max: p.hoist.length_max }
 }
 
+/// What is connected together; a drive's axis has the same member names.
+const TERMINALS: &[Terminal] = &[
+    Terminal {
+        name: "slew",
+        description: "Slewing axis",
+        kind: "axis",
+        members: &[("slew.rate", "rate"), ("slew.angle", "position")],
+    },
+    Terminal {
+        name: "luff",
+        description: "Luffing axis",
+        kind: "axis",
+        members: &[("luff.rate", "rate"), ("luff.angle", "position")],
+    },
+    Terminal {
+        name: "hoist",
+        description: "Hoisting axis; it lengthens the suspension",
+        kind: "axis",
+        members: &[("hoist.rate", "rate"), ("hoist.length", "position")],
+    },
+    Terminal {
+        name: "base",
+        description: "Motion of the base on the ground",
+        kind: "base",
+        members: &[
+            ("base.velocity.x", "velocity.x"),
+            ("base.velocity.y", "velocity.y"),
+            ("base.yaw_rate", "yaw_rate"),
+            ("base.x", "x"),
+            ("base.y", "y"),
+            ("base.yaw", "yaw"),
+        ],
+    },
+    Terminal {
+        name: "wind",
+        description: "Force on the payload",
+        kind: "force",
+        members: &[("wind.x", "x"), ("wind.y", "y"), ("wind.z", "z")],
+    },
+    Terminal {
+        name: "tip",
+        description: "Position of the boom tip",
+        kind: "position",
+        members: &[("tip.x", "x"), ("tip.y", "y"), ("tip.z", "z")],
+    },
+    Terminal {
+        name: "payload",
+        description: "Position of the payload",
+        kind: "position",
+        members: &[("payload.x", "x"), ("payload.y", "y"), ("payload.z", "z")],
+    },
+    Terminal {
+        name: "swing",
+        description: "Swing of the payload",
+        kind: "swing",
+        members: &[
+            ("swing.radial", "radial"),
+            ("swing.tangential", "tangential"),
+            ("swing.radial_rate", "radial_rate"),
+            ("swing.tangential_rate", "tangential_rate"),
+            ("swing.amplitude", "amplitude"),
+        ],
+    },
+];
+
 impl Model for BoomCrane {
     const INFO: Info = Info {
         name: "BoomCrane",
         description: "Mobile boom crane with a suspended payload, driven by rates",
         documentation: include_str!("../README.md"),
         icon: include_str!("../icon.svg"),
+        terminals: TERMINALS,
         stop_time: 20.0,
         step_size: 0.01,
     };

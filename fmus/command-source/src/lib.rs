@@ -1,6 +1,6 @@
 //! `CommandSource`: an operator's command, from a formula or a recorded drive.
 
-use swayless_export::{Environment, Event, Info, Model, Point, Problem, Scalar, export_fmu};
+use swayless_export::{Environment, Event, Info, Model, Point, Problem, Scalar, Terminal, export_fmu};
 
 mod profile;
 mod table;
@@ -12,12 +12,17 @@ use variables::{Discrete, Outputs, Parameters};
 /// The model.
 struct CommandSource;
 
+/// What is connected together.
+const TERMINALS: &[Terminal] =
+    &[Terminal { name: "command", description: "The command", kind: "command", members: &[("command", "command")] }];
+
 impl Model for CommandSource {
     const INFO: Info = Info {
         name: "CommandSource",
         description: "Source of an operator's command: constant, step, pulse, trapezoid or playback of a CSV file",
         documentation: include_str!("../README.md"),
         icon: include_str!("../icon.svg"),
+        terminals: TERMINALS,
         stop_time: 10.0,
         step_size: 0.01,
     };

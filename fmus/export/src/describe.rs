@@ -2,7 +2,7 @@
 
 use std::ffi::{CStr, c_char, c_int, c_void};
 
-use swayless_abi::describe::{CLOCKED, DOCUMENTATION, FMI2, FMI3, ICON, Sink};
+use swayless_abi::describe::{CLOCKED, DOCUMENTATION, FMI2, FMI3, ICON, Sink, TERMINALS};
 use swayless_modeldesc::types::FmiVersion;
 
 use crate::description;
@@ -17,6 +17,7 @@ fn item<M: Model>(name: &CStr) -> Option<String> {
         name if name == FMI2 => xml(FmiVersion::V2, Variant::Plain),
         name if name == FMI3 => xml(FmiVersion::V3, Variant::Plain),
         name if name == CLOCKED && !M::CLOCKS.is_empty() => xml(FmiVersion::V3, Variant::Clocked),
+        name if name == TERMINALS => swayless_modeldesc::terminals::write(&description::terminals::of::<M>()).ok(),
         name if name == DOCUMENTATION => Some(M::INFO.documentation.to_string()),
         name if name == ICON => Some(M::INFO.icon.to_string()),
         _ => None,

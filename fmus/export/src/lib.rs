@@ -37,6 +37,7 @@ mod sizes;
 mod snapshot;
 mod structure;
 mod symbols;
+mod terminal;
 mod token;
 mod unit;
 mod uri;
@@ -51,5 +52,6 @@ pub use declaration::{Declaration, Declarer, Kind};
 #[doc(hidden)]
 pub use describe::swayless_describe;
 pub use model::{Environment, Event, Indicators, Info, Model, Point, Problem};
+pub use terminal::Terminal;
 pub use unit::{UNITS, Unit};
 pub use variables::{Enumeration, Value, Variables, lift};

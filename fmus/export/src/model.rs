@@ -8,6 +8,7 @@ use serde::de::DeserializeOwned;
 use swayless_scalar::Scalar;
 
 use crate::clocks::Clock;
+use crate::terminal::Terminal;
 use crate::variables::Variables;
 
 /// A model that can be exported. All it says is mathematics; nothing in it knows FMI.
@@ -103,6 +104,8 @@ pub struct Info {
     pub documentation: &'static str,
     /// The icon, in SVG.
     pub icon: &'static str,
+    /// The groups of variables that are connected together.
+    pub terminals: &'static [Terminal],
     /// The length of a typical experiment (s).
     pub stop_time: f64,
     /// A typical communication step (s).
@@ -110,10 +113,18 @@ pub struct Info {
 }
 
 impl Info {
-    /// What a model is with nothing said but its name and a line: a page of that, a plain icon, and 10 s in steps of
-    /// 10 ms.
+    /// What a model is with nothing said but its name and a line: a page of that, a plain icon, no terminals,
+    /// and 10 s in steps of 10 ms.
     pub const fn new(name: &'static str, description: &'static str) -> Self {
-        Self { name, description, documentation: description, icon: PLAIN_ICON, stop_time: 10.0, step_size: 0.01 }
+        Self {
+            name,
+            description,
+            documentation: description,
+            icon: PLAIN_ICON,
+            terminals: &[],
+            stop_time: 10.0,
+            step_size: 0.01,
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! `InputShaper`: shapes the command of one axis so that the payload does not swing (thesis 1.2).
 
 use serde::{Deserialize, Serialize};
-use swayless_export::{Environment, Event, Info, Model, Point, Problem, Scalar, export_fmu};
+use swayless_export::{Environment, Event, Info, Model, Point, Problem, Scalar, Terminal, export_fmu};
 use swayless_shaping::{DesignError, Mode, ModeError, Shaper, Trains, design};
 
 mod variables;
@@ -74,12 +74,30 @@ fn shaper(p: &Parameters<f64>, length: f64) -> Result<Shaper, Refusal> {
     design(kind(p.kind), mode, p.vibration_limit).map_err(Refusal::Design)
 }
 
+/// What is connected together.
+const TERMINALS: &[Terminal] = &[
+    Terminal {
+        name: "command",
+        description: "The command to be shaped",
+        kind: "command",
+        members: &[("command", "command")],
+    },
+    Terminal {
+        name: "hoist",
+        description: "The hoisting axis, for a frequency that follows its position",
+        kind: "axis",
+        members: &[("hoist.length", "position")],
+    },
+    Terminal { name: "shaped", description: "The shaped command", kind: "command", members: &[("shaped", "command")] },
+];
+
 impl Model for InputShaper {
     const INFO: Info = Info {
         name: "InputShaper",
         description: "Input shaper for the command of one axis: None, ZV, ZVD, ZVDD, EI, UMZV",
         documentation: include_str!("../README.md"),
         icon: include_str!("../icon.svg"),
+        terminals: TERMINALS,
         stop_time: 20.0,
         step_size: 0.01,
     };

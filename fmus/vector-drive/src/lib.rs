@@ -2,7 +2,7 @@
 //!
 //! Saturator, reversal switch (6.1), rate limiter and second-order response H(s) in series.
 
-use swayless_export::{Event, Info, Model, Point, Scalar, export_fmu};
+use swayless_export::{Event, Info, Model, Point, Scalar, Terminal, export_fmu};
 
 mod variables;
 
@@ -27,12 +27,30 @@ fn velocity<R: Scalar>(p: &Parameters<R>, x: &States<R>) -> R {
     R::select(p.smoothing, x.response.velocity, x.limiter.reference)
 }
 
+/// What is connected together. The drive moves an axis and does not ask where it is, so its own travel has another name
+/// than the position of the axis.
+const TERMINALS: &[Terminal] = &[
+    Terminal {
+        name: "command",
+        description: "Commanded velocity",
+        kind: "command",
+        members: &[("command", "command")],
+    },
+    Terminal {
+        name: "axis",
+        description: "The axis that is driven",
+        kind: "axis",
+        members: &[("velocity", "rate"), ("acceleration", "acceleration"), ("position", "travel")],
+    },
+];
+
 impl Model for VectorDrive {
     const INFO: Info = Info {
         name: "VectorDrive",
         description: "Vector drive of one crane axis: saturator, reversal switch, rate limiter, second-order response",
         documentation: include_str!("../README.md"),
         icon: include_str!("../icon.svg"),
+        terminals: TERMINALS,
         stop_time: 10.0,
         step_size: 0.01,
     };

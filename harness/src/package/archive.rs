@@ -6,12 +6,17 @@
 use std::io::{Seek, Write};
 use std::path::Path;
 
+use swayless_abi::describe::TERMINAL_PICTURE;
+use swayless_modeldesc::terminals;
 use swayless_modeldesc::types::FmiVersion;
 use zip::write::{SimpleFileOptions, ZipWriter};
 use zip::{CompressionMethod, DateTime};
 
 use super::describe::Parts;
 use super::{Error, icon, page};
+
+/// The picture of every terminal, in SVG.
+const TERMINAL: &str = include_str!("terminal.svg");
 
 /// What goes into an archive.
 #[derive(Debug, Clone, Copy)]
@@ -65,9 +70,14 @@ fn entries(contents: &Contents) -> Result<Vec<(String, Vec<u8>)>, Error> {
     match version {
         FmiVersion::V2 => add("model.png", &icon::png(&parts.icon, name)?),
         FmiVersion::V3 => {
-            // An SVG there requires the PNG beside it; `terminalsAndIcons.xml` is for terminals and may be absent.
+            add(terminals::TERMINALS_AND_ICONS, parts.terminals.as_bytes());
+            // An SVG there requires the PNG beside it.
             add("terminalsAndIcons/icon.png", &icon::png(&parts.icon, name)?);
             add("terminalsAndIcons/icon.svg", svg);
+            if parts.terminals.contains(&format!("iconBaseName=\"{TERMINAL_PICTURE}\"")) {
+                add(&format!("terminalsAndIcons/{TERMINAL_PICTURE}.png"), &icon::png(TERMINAL, name)?);
+                add(&format!("terminalsAndIcons/{TERMINAL_PICTURE}.svg"), TERMINAL.as_bytes());
+            }
         }
     }
     add("documentation/index.html", page.as_bytes());
@@ -123,6 +133,7 @@ mod tests {
             fmi2: "<two/>".into(),
             fmi3: "<three/>".into(),
             clocked: None,
+            terminals: "<terminal iconBaseName=\"terminal\"/>".into(),
             documentation: "# Sample\n\nWords.".into(),
             icon: r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10"><path d="M0 0h9v9z"/></svg>"#.into(),
         }
@@ -144,8 +155,9 @@ mod tests {
             assert!(names.contains(&"documentation/licenses/license.txt".to_owned()));
         }
         assert!(two.contains(&"model.png".to_owned()));
-        assert!(three.contains(&"terminalsAndIcons/icon.png".to_owned()));
-        assert!(three.contains(&"terminalsAndIcons/icon.svg".to_owned()));
+        for name in ["terminalsAndIcons.xml", "icon.png", "icon.svg", "terminal.png", "terminal.svg"] {
+            assert!(three.contains(&format!("terminalsAndIcons/{name}")), "{name}");
+        }
     }
 
     #[test]

@@ -7,4 +7,5 @@ mod properties;
 mod read;
 mod samples;
 mod ssp;
+mod terminals;
 mod write;

@@ -3,6 +3,7 @@
 mod clocks;
 mod definitions;
 mod structure;
+pub mod terminals;
 mod variables;
 
 use swayless_modeldesc::types::{

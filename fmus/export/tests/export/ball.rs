@@ -1,6 +1,6 @@
 //! A bouncing ball with one of everything that a variable can be.
 
-use swayless_export::{Enumeration, Event, Info, Model, Point, Scalar, Variables};
+use swayless_export::{Enumeration, Event, Info, Model, Point, Scalar, Terminal, Variables};
 
 /// The model.
 pub struct Ball;
@@ -94,6 +94,20 @@ impl Model for Ball {
         description: "A bouncing ball",
         documentation: "# Ball",
         icon: "<svg/>",
+        terminals: &[
+            Terminal {
+                name: "above",
+                description: "What it does",
+                kind: "ball",
+                members: &[("lies", "lies"), ("ticks", "ticks")],
+            },
+            Terminal {
+                name: "below",
+                description: "What acts on it",
+                kind: "push",
+                members: &[("push", "force"), ("floor", "floor")],
+            },
+        ],
         stop_time: 3.0,
         step_size: 0.01,
     };

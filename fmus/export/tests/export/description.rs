@@ -1,8 +1,9 @@
 //! The model descriptions: complete, without problems, and with the dependencies that the equations have.
 
-use swayless_export::abi::describe::{DOCUMENTATION, FMI2, FMI3, ICON};
+use swayless_export::abi::describe::{DOCUMENTATION, FMI2, FMI3, ICON, TERMINALS};
 use swayless_modeldesc::check::check;
 use swayless_modeldesc::read::read;
+use swayless_modeldesc::terminals;
 use swayless_modeldesc::types::{Causality, ModelDescription, Unknown, Variability};
 
 use crate::host::describe;
@@ -23,6 +24,31 @@ fn there_is_documentation_and_an_icon_and_nothing_else() {
     assert_eq!(describe(DOCUMENTATION).as_deref(), Some("# Ball"));
     assert_eq!(describe(ICON).as_deref(), Some("<svg/>"));
     assert_eq!(describe(c"nonsense"), None);
+}
+
+#[test]
+fn terminals_are_where_they_take_or_give() {
+    let [_, description] = both();
+    let xml = describe(TERMINALS).unwrap();
+    let (content, problems) = terminals::read_and_check(xml.as_bytes(), &description).unwrap();
+    assert_eq!(problems, []);
+    let found: Vec<_> = content
+        .terminals
+        .iter()
+        .map(|terminal| {
+            let members = terminal.members.iter().map(|m| (m.variable.as_str(), m.name.as_deref().unwrap()));
+            let area = terminal.graphics.as_ref().unwrap().area;
+            let kind = terminal.terminal_kind.as_deref().unwrap();
+            (terminal.name.as_str(), kind, members.collect::<Vec<_>>(), (area.x1, area.x2))
+        })
+        .collect();
+    assert_eq!(
+        found,
+        [
+            ("below", "_swayless_push", vec![("push", "force"), ("floor", "floor")], (-120.0, -100.0)),
+            ("above", "_swayless_ball", vec![("lies", "lies"), ("ticks", "ticks")], (100.0, 120.0)),
+        ]
+    );
 }
 
 fn names(description: &ModelDescription, unknown: &Unknown) -> Option<Vec<String>> {
