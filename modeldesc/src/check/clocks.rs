@@ -80,9 +80,11 @@ fn priority(scope: &Scope<'_>, variable: &Variable, clock: &Clock, report: &mut 
         (true, Causality::Local, _) => {
             report.error(line, format!("the clock `{name}` is local, which ScheduledExecution does not allow"));
         }
-        (true, Causality::Output, Some(_)) => {
-            report.error(line, format!("the output clock `{name}` must not have a `priority`; remove it"));
-        }
+        // The standard demands one of every clock, the checkers forbid it here; there is nothing to order.
+        (true, Causality::Output, Some(_)) => report.warning(
+            line,
+            format!("the output clock `{name}` has a `priority`, which some importers refuse; remove it"),
+        ),
         (false, _, Some(_)) => report.warning(
             line,
             format!("the clock `{name}` has a `priority`, which only ScheduledExecution heeds; remove it"),

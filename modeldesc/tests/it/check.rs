@@ -486,7 +486,7 @@ fn clocks() {
     );
     ticking(says("ticks.out", |c| c.can_be_deactivated = true), "nobody can deactivate it");
     ticking(says("ticks.changing", |c| c.priority = None), "`ticks.changing` needs a `priority`");
-    ticking(says("ticks.out", |c| c.priority = Some(3)), "must not have a `priority`");
+    ticking(says("ticks.out", |c| c.priority = Some(3)), "`ticks.out` has a `priority`, which some importers refuse");
     ticking(
         |d| {
             d.scheduled_execution = None;
