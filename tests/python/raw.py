@@ -210,3 +210,18 @@ class Raw:
         size = c_size_t()
         name = "SerializedFMUstateSize" if self.fmu.is_fmi2 else "SerializedFMUStateSize"
         return self.call(name, state, ctypes.byref(size)), size.value
+
+    def serialized(self, state):
+        """The bytes of a state."""
+        status, size = self.size(state)
+        assert status == OK
+        data = (ctypes.c_ubyte * size)()
+        name = "SerializeFMUstate" if self.fmu.is_fmi2 else "SerializeFMUState"
+        assert self.call(name, state, data, c_size_t(size)) == OK
+        return bytes(data)
+
+    def deserialized(self, data):
+        """A status and the state of bytes."""
+        state = c_void_p()
+        name = "DeSerializeFMUstate" if self.fmu.is_fmi2 else "DeserializeFMUState"
+        return self.call(name, data, c_size_t(len(data)), ctypes.byref(state)), state
