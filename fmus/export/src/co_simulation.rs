@@ -83,7 +83,7 @@ impl<M: Model> Instance<M> {
         }
         // A master may compute the point anew, so that its last bits differ from where the last step ended.
         let apart = (current - self.t).abs();
-        if apart.is_nan() || apart > SAME_TIME * current.abs().max(self.t.abs()).max(step) {
+        if !apart.is_finite() || apart > SAME_TIME * current.abs().max(self.t.abs()).max(step) {
             return Err(Refusal::error(format!(
                 "currentCommunicationPoint is {current} s, but the instance is at {} s",
                 self.t

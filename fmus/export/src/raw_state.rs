@@ -86,7 +86,11 @@ pub unsafe fn size<M: Model>(instance: *mut c_void, state: *mut c_void, size: *m
     // SAFETY: the caller's promises.
     unsafe {
         call::<M>(instance, Call::State, function, |_| {
-            put(size, given::<M>(state)?.to_bytes()?.len());
+            let bytes = given::<M>(state)?.to_bytes()?;
+            if size.is_null() {
+                return Err(missing("size"));
+            }
+            put(size, bytes.len());
             Ok(())
         })
     }
