@@ -18,7 +18,9 @@ LOGGER3 = CFUNCTYPE(None, c_void_p, c_int, c_char_p, c_char_p)
 ALLOCATE = CFUNCTYPE(c_void_p, c_size_t, c_size_t)
 TYPES2 = {"Real": c_double, "Integer": c_int, "Boolean": c_int, "String": c_char_p}
 TYPES3 = {"Boolean": c_bool, "String": c_char_p, "Float32": ctypes.c_float, "Float64": c_double}
-TYPES3 |= {f"{sign}Int{bits}": getattr(ctypes, f"c_{sign.lower()}int{bits}") for sign in ("", "U") for bits in (8, 16, 32, 64)}
+TYPES3 |= {
+    f"{sign}Int{bits}": getattr(ctypes, f"c_{sign.lower()}int{bits}") for sign in ("", "U") for bits in (8, 16, 32, 64)
+}
 
 
 class Callbacks2(ctypes.Structure):
@@ -57,24 +59,26 @@ class Raw:
     """An instance. `logger` None is a NULL logger; `callbacks` None is no structure of callbacks at all (FMI 2.0)."""
 
     def __init__(self, library, kind, name=b"raw", logging=False, logger=True, environment=None, resources=None,
-                 callbacks=True, token=None, event_mode=False):
+                 callbacks=True, token=None, event_mode=False, visible=False):
         self.fmu, self.kind, self.dll = library.fmu, kind, library.dll
         self.prefix = "fmi2" if self.fmu.is_fmi2 else "fmi3"
         self.messages = []
         self.closed = False
         token = (self.fmu.description.guid or "").encode() if token is None else token
         if self.fmu.is_fmi2:
-            self._logger = LOGGER2(lambda env, name, status, category, _form, text: self._log(env, name, status, category, text, _form))
+            self._logger = LOGGER2(
+                lambda env, name, status, category, form, text: self._log(env, name, status, category, text, form)
+            )
             pointer = ctypes.cast(self._logger, c_void_p) if logger else None
             self._callbacks = Callbacks2(logger=pointer, environment=environment)
             passed = ctypes.byref(self._callbacks) if callbacks else None
             make = self._function("Instantiate", c_void_p)
-            self.pointer = make(name, int(kind == "CoSimulation"), token, resources, passed, 0, int(logging))
+            self.pointer = make(name, int(kind == "CoSimulation"), token, resources, passed, int(visible), int(logging))
         else:
             self._logger = LOGGER3(lambda env, status, category, text: self._log(env, None, status, category, text))
             pointer = self._logger if logger else None
             make = self._function("Instantiate" + kind, c_void_p)
-            common = [name, token, resources, c_bool(False), c_bool(logging)]
+            common = [name, token, resources, c_bool(visible), c_bool(logging)]
             if kind == "CoSimulation":
                 # A dangling array of no elements, as fmusim passes it; no intermediate update.
                 common += [c_bool(event_mode), c_bool(event_mode), c_void_p(4), c_size_t(0)]
