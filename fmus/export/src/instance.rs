@@ -164,13 +164,16 @@ impl<M: Model> Instance<M> {
 
     /// Refuses a call that is not allowed now.
     pub(crate) fn allow(&self, call: Call, function: &str) -> Result<(), Refusal> {
-        if call.is_allowed(self.interface, self.phase) {
-            return Ok(());
-        }
-        Err(Refusal::error(format!(
+        if call.is_allowed(self.interface, self.phase) { Ok(()) } else { Err(self.not_allowed(function)) }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn not_allowed(&self, function: &str) -> Refusal {
+        Refusal::error(format!(
             "{function} is not allowed: the instance is in phase {:?} of {:?}",
             self.phase, self.interface
-        )))
+        ))
     }
 
     /// Back to where the instance was when it was made; the log keeps its settings.

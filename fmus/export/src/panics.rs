@@ -20,15 +20,23 @@ thread_local! {
 /// Rust's standard library; where several share one, as in unit tests, other panics go to the hook that was there.
 pub fn caught<T>(body: impl FnOnce() -> T) -> Result<T, String> {
     static HOOK: Once = Once::new();
-    HOOK.call_once(|| {
-        let other = take_hook();
-        set_hook(Box::new(move |panic| if DEPTH.get() == 0 { other(panic) } else { remember(panic) }));
-    });
+    HOOK.call_once(keep_quiet);
     DEPTH.set(DEPTH.get() + 1);
     // What a panic leaves half done is the caller's to lock away.
     let outcome = catch_unwind(AssertUnwindSafe(body));
     DEPTH.set(DEPTH.get() - 1);
-    outcome.map_err(|panic| format!("{}{}", reason(panic), ManuallyDrop::into_inner(PLACE.take())))
+    outcome.map_err(told)
+}
+
+fn keep_quiet() {
+    let other = take_hook();
+    set_hook(Box::new(move |panic| if DEPTH.get() == 0 { other(panic) } else { remember(panic) }));
+}
+
+#[cold]
+#[inline(never)]
+fn told(panic: Box<dyn Any + Send>) -> String {
+    format!("{}{}", reason(panic), ManuallyDrop::into_inner(PLACE.take()))
 }
 
 fn remember(panic: &PanicHookInfo<'_>) {
