@@ -1,7 +1,9 @@
 """Finds the packaged FMUs: the folders `fmi2` and `fmi3` below the folder that SWAYLESS_FMUS names.
 
 A test that asks for `fmu` runs for every archive; one that asks for `case` runs for every archive and every variant of
-its parameters; one that asks for `both` runs for every name and variant, with the archives of both versions.
+its parameters; one that asks for `both` runs for every name and variant, with the archives of both versions. An FMU
+with clocks does nothing unless it is told how time goes: a module takes such archives as well if it says `CLOCKS = True`,
+and one that asks for `clocked` runs for each of them, with the FMU of the same model that ticks its clocks itself.
 """
 
 import os
@@ -24,10 +26,15 @@ def label(variant):
 
 def pytest_generate_tests(metafunc):
     """Parametrizes by fixture name."""
+    wanted = {key: fmu for key, fmu in FMUS.items() if not fmu.clocks or getattr(metafunc.module, "CLOCKS", False)}
     if "fmu" in metafunc.fixturenames:
-        metafunc.parametrize("fmu", FMUS.values(), ids=["/".join(key) for key in FMUS])
+        metafunc.parametrize("fmu", wanted.values(), ids=["/".join(key) for key in wanted])
+    if "clocked" in metafunc.fixturenames:
+        keys = [key for key, fmu in FMUS.items() if fmu.clocks]
+        twins = [FMUS[version, name.removesuffix("Clocked")] for version, name in keys]
+        metafunc.parametrize("clocked", [(FMUS[key], twin) for key, twin in zip(keys, twins)], ids=["/".join(k) for k in keys])
     if "case" in metafunc.fixturenames:
-        cases = [(key, fmu, variant) for key, fmu in FMUS.items() for variant in fmu.variants()]
+        cases = [(key, fmu, variant) for key, fmu in wanted.items() for variant in fmu.variants()]
         ids = ["/".join(key) + "-" + label(variant) for key, _, variant in cases]
         metafunc.parametrize("case", [(fmu, variant) for _, fmu, variant in cases], ids=ids)
     if "both" in metafunc.fixturenames:

@@ -15,6 +15,11 @@ OK, WARNING, DISCARD, ERROR, FATAL = range(5)
 LOGGER2 = CFUNCTYPE(None, c_void_p, c_char_p, c_int, c_char_p, c_char_p, c_char_p)
 """The standard's logger is variadic; where ours are called, `"%s"` and one text follow (System V passes them alike)."""
 LOGGER3 = CFUNCTYPE(None, c_void_p, c_int, c_char_p, c_char_p)
+INTERMEDIATE = CFUNCTYPE(
+    None, c_void_p, c_double, c_bool, c_bool, c_bool, c_bool, ctypes.POINTER(c_bool), ctypes.POINTER(c_double)
+)
+NEWS = CFUNCTYPE(None, c_void_p)
+SIGNAL = CFUNCTYPE(None)
 ALLOCATE = CFUNCTYPE(c_void_p, c_size_t, c_size_t)
 TYPES2 = {"Real": c_double, "Integer": c_int, "Boolean": c_int, "String": c_char_p}
 TYPES3 = {"Boolean": c_bool, "String": c_char_p, "Float32": ctypes.c_float, "Float64": c_double}
@@ -59,7 +64,8 @@ class Raw:
     """An instance. `logger` None is a NULL logger; `callbacks` None is no structure of callbacks at all (FMI 2.0)."""
 
     def __init__(self, library, kind, name=b"raw", logging=False, logger=True, environment=None, resources=None,
-                 callbacks=True, token=None, event_mode=False, visible=False):
+                 callbacks=True, token=None, event_mode=False, visible=False, required=(), intermediate=None,
+                 clock_update=None, lock=None, unlock=None):
         self.fmu, self.kind, self.dll = library.fmu, kind, library.dll
         self.prefix = "fmi2" if self.fmu.is_fmi2 else "fmi3"
         self.messages = []
@@ -80,9 +86,15 @@ class Raw:
             make = self._function("Instantiate" + kind, c_void_p)
             common = [name, token, resources, c_bool(visible), c_bool(logging)]
             if kind == "CoSimulation":
-                # A dangling array of no elements, as fmusim passes it; no intermediate update.
-                common += [c_bool(event_mode), c_bool(event_mode), c_void_p(4), c_size_t(0)]
-                self.pointer = make(*common, c_void_p(environment), pointer, None)
+                # A dangling array of no elements, as fmusim passes it.
+                names = (c_uint32 * len(required))(*required) if required else c_void_p(4)
+                common += [c_bool(event_mode), c_bool(event_mode), names, c_size_t(len(required))]
+                self._intermediate = INTERMEDIATE(intermediate) if intermediate else None
+                self.pointer = make(*common, c_void_p(environment), pointer, self._intermediate)
+            elif kind == "ScheduledExecution":
+                given = [(NEWS, clock_update), (SIGNAL, lock), (SIGNAL, unlock)]
+                self._kept = [of(callback) if callback else None for of, callback in given]
+                self.pointer = make(*common, c_void_p(environment), pointer, *self._kept)
             else:
                 self.pointer = make(*common, c_void_p(environment), pointer)
 

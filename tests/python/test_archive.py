@@ -9,6 +9,8 @@ import platform
 
 from host import FLOATS, elements
 
+CLOCKS = True
+
 MACHINES = {"x86_64": "x86_64", "amd64": "x86_64", "aarch64": "aarch64", "arm64": "aarch64"}
 SUFFIXES = {"Linux": ("linux", ".so"), "Darwin": ("darwin", ".dylib"), "Windows": ("windows", ".dll")}
 
@@ -99,6 +101,9 @@ def flat(fmu):
     kinds = {"Real": "Float64", "Integer": "Int32"}
     scalars = {}
     for v in fmu.variables.values():
+        if v.causality == "structuralParameter":
+            # FMI 2.0 has arrays of their default length.
+            continue
         unit = v.unit or (v.declaredType.unit if v.declaredType else None)
         said = (kinds.get(v.type, v.type), v.causality, v.variability, v.initial, unit, v.description)
         names = elements(v)

@@ -32,10 +32,14 @@ def test_a_thousand_instances_leave_nothing_behind(fmu):
     """An instance of ours is some kilobytes: a thousand leaked ones would be megabytes."""
     for _ in range(100):
         one_life(fmu)
-    before = memory()
-    for _ in range(1000):
-        one_life(fmu)
-    assert memory() - before < 1_500_000
+    grown = []
+    while not grown or min(grown) >= 500_000 and len(grown) < 3:
+        # The allocator may grow once for reasons of its own; a leak grows every time.
+        before = memory()
+        for _ in range(1000):
+            one_life(fmu)
+        grown.append(memory() - before)
+    assert min(grown) < 500_000, grown
 
 
 def test_instances_on_threads_equal_one_alone(fmu):

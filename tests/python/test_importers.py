@@ -41,8 +41,9 @@ log_output_level(CosimLogLevel.FATAL)
 
 
 def known(variables):
-    """The variables that the importers can read."""
-    return [v for v in variables if v.type in KINDS and not v.shape]
+    """The variables that the importers can read; FMPy lists aliases, which Ecos does not know."""
+    first = {v.valueReference: v for v in reversed(variables)}
+    return [v for v in variables if v.type in KINDS and not v.shape and first[v.valueReference] is v]
 
 
 def experiment(fmu):

@@ -7,6 +7,8 @@ import fmpy
 import pytest
 from lxml import etree
 
+CLOCKS = True
+
 ENTRY = "terminalsAndIcons/terminalsAndIcons.xml"
 SCHEMA = etree.XMLSchema(file=Path(fmpy.__file__).parent / "schema/fmi3/fmi3TerminalsAndIcons.xsd")
 GOLDEN = Path(__file__).parents[2] / "modeldesc/tests/golden/terminals.xml"

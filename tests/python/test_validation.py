@@ -10,6 +10,8 @@ from fmu_manipulation_toolbox.checker import get_checkers
 from fmu_manipulation_toolbox.operations import FMU
 from lxml import etree
 
+CLOCKS = True
+
 GOLDEN = Path(__file__).parents[2] / "modeldesc/tests/golden"
 SCHEMAS = Path(fmpy.__file__).parent / "schema"
 

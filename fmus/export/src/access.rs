@@ -1,6 +1,6 @@
 //! Getting and setting variables by value reference.
 
-use crate::course::{HIGHEST_ORDER, Term};
+use crate::course::Term;
 use crate::declaration::{Declaration, Kind};
 use crate::instance::{Instance, Refusal, range};
 use crate::layout::{Block, Layout};
@@ -17,18 +17,10 @@ impl<M: Model> Instance<M> {
             .ok_or_else(|| Refusal::error(format!("there is no variable with value reference {reference}")))
     }
 
-    /// Initializes, if start values have been set since: outputs must be consistent whenever they are read. Models may
-    /// rely on what has been checked, so that values which leave no outputs are refused; they can still be corrected.
+    /// Initializes, if start values have been set since: outputs must be consistent whenever they are read.
     pub(crate) fn ready(&mut self) -> Result<(), Refusal> {
         match self.phase {
-            Phase::Initialization if self.uninitialized => {
-                self.check_inputs()?;
-                let problems = self.check_start();
-                if !problems.is_empty() {
-                    return Err(Refusal::discard(problems.join("; ")));
-                }
-                self.initialize()
-            }
+            Phase::Initialization => self.initialize(),
             Phase::Event => self.evaluate(),
             _ => Ok(()),
         }
@@ -37,8 +29,7 @@ impl<M: Model> Instance<M> {
     /// The value of a scalar.
     #[inline]
     pub fn get(&mut self, block: Block, index: usize) -> Result<Value<'_, f64>, Refusal> {
-        let given = matches!(block, Block::Time | Block::Parameters | Block::Inputs);
-        if self.uninitialized && !given || self.pending {
+        if self.uninitialized || self.pending {
             self.ready()?;
         }
         if self.phase == Phase::Intermediate {
@@ -172,12 +163,14 @@ impl<M: Model> Instance<M> {
 
     /// Takes the variables that the importer wants in intermediate updates.
     pub fn require_intermediate(&mut self, references: &[u32]) -> Result<(), Refusal> {
+        let mut required = Vec::new();
         for reference in references {
             let (block, index) = self.locate(*reference)?;
             self.check_intermediate(block, index, false)?;
             let first = Layout::<M>::first(block) + index;
-            self.intermediate.extend(first..first + Layout::<M>::extent(block, index));
+            required.extend(first..first + Layout::<M>::extent(block, index));
         }
+        self.intermediate = required;
         Ok(())
     }
 
@@ -191,11 +184,8 @@ impl<M: Model> Instance<M> {
         if !continuous {
             return Err(Refusal::error(format!("{} has no derivative to set: it is no continuous input", name())));
         }
-        let Some(order) = u32::try_from(order).ok().filter(|order| (1..=HIGHEST_ORDER).contains(order)) else {
-            let name = name();
-            return Err(Refusal::error(format!(
-                "{name}: order {order} of a derivative; 1 to {HIGHEST_ORDER} are known"
-            )));
+        let Some(order) = u32::try_from(order).ok().filter(|order| *order > 0) else {
+            return Err(Refusal::error(format!("{}: order {order} of a derivative; it must be at least 1", name())));
         };
         if !value.is_finite() {
             return Err(Refusal::discard(format!(

@@ -4,7 +4,7 @@
 use crate::clocks::Clock;
 use crate::instance::{Instance, Refusal};
 use crate::layout::Layout;
-use crate::model::Model;
+use crate::model::{Model, Point};
 use crate::phase::{Interface, Phase};
 use crate::schedule::Qualifier;
 
@@ -61,6 +61,11 @@ impl<M: Model> Instance<M> {
     pub fn tell_interval(&mut self, reference: u32) -> Result<(f64, Qualifier), Refusal> {
         let (index, _) = self.input_clock(reference)?;
         self.ready()?;
+        // In scheduled execution no event follows when a tunable parameter changes.
+        if let (Phase::ClockActivation, Some(memory)) = (self.phase, &self.memory) {
+            let at = Point::<M, f64> { t: self.t, p: &self.p, u: &self.u, x: &self.x, d: &self.d, memory };
+            self.schedule.after(0, &at);
+        }
         Ok(self.schedule.tell(index, self.t))
     }
 

@@ -14,6 +14,8 @@ pub struct Clock {
     pub interval: Interval,
     /// How long after the start a periodic clock ticks first (s).
     pub shift: f64,
+    /// The clocks at whose ticks an output clock can tick.
+    pub by: &'static [&'static str],
     /// Which of several that tick at once is computed first: the one with the smallest number.
     pub priority: u32,
 }
@@ -21,7 +23,7 @@ pub struct Clock {
 impl Clock {
     /// A clock that ticks when the simulation starts, if it is periodic, and before all others.
     pub const fn new(name: &'static str, description: &'static str, interval: Interval) -> Self {
-        Self { name, description, interval, shift: 0.0, priority: 0 }
+        Self { name, description, interval, shift: 0.0, by: &[], priority: 0 }
     }
 }
 

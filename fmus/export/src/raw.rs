@@ -5,6 +5,7 @@ use std::cell::UnsafeCell;
 use std::ffi::{CStr, CString, c_char, c_void};
 use std::path::PathBuf;
 use std::ptr;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use swayless_abi::fmi3::{
     ClockUpdateCallback, InstanceEnvironment, IntermediateUpdateCallback, LockPreemptionCallback,
@@ -93,6 +94,8 @@ pub fn c_text(text: &str) -> CString {
 /// What an importer holds: an instance, and what may be looked at while the instance is in use.
 struct Shell<M: Model> {
     surroundings: Surroundings,
+    /// How many callbacks are under way from which the importer may call back; while there are, nothing is freed.
+    callbacks: AtomicUsize,
     instance: UnsafeCell<Instance<M>>,
 }
 
@@ -161,7 +164,11 @@ pub fn instantiate<M: Model>(
     let made = caught(|| make::<M>(&order, log, prepare));
     match made {
         Ok(Ok(instance)) => {
-            let shell = Shell { surroundings: order.surroundings, instance: UnsafeCell::new(instance) };
+            let shell = Shell {
+                surroundings: order.surroundings,
+                callbacks: AtomicUsize::new(0),
+                instance: UnsafeCell::new(instance),
+            };
             Box::into_raw(Box::new(shell)).cast()
         }
         Ok(Err(refusal)) => {
@@ -220,10 +227,9 @@ pub unsafe fn free<M: Model>(instance: *mut c_void) {
     if instance.is_null() {
         return;
     }
-    // SAFETY: by the caller's promise a shell that `instantiate` gave away, and no other call on it is under way: one
-    // that waits for a callback to return holds no reference.
-    let in_callback = unsafe { (*(*instance.cast::<Shell<M>>()).instance.get()).phase.is_callback() };
-    if !in_callback {
+    // SAFETY: by the caller's promise a shell that `instantiate` gave away.
+    let callbacks = unsafe { (*instance.cast::<Shell<M>>()).callbacks.load(Ordering::Acquire) };
+    if callbacks == 0 {
         // SAFETY: by the caller's promise this is the box that `instantiate` gave away.
         let shell = unsafe { Box::from_raw(instance.cast::<Shell<M>>()) };
         let _ = caught(|| drop(shell));
@@ -237,6 +243,24 @@ pub unsafe fn free<M: Model>(instance: *mut c_void) {
 pub unsafe fn surroundings<M: Model>(instance: *mut c_void) -> Surroundings {
     // SAFETY: the caller's promise; the callbacks never change, whatever is done with the instance beside them.
     unsafe { instance.cast::<Shell<M>>().as_ref() }.map(|shell| shell.surroundings).unwrap_or_default()
+}
+
+/// Runs a callback of the importer from which it may call back.
+///
+/// # Safety
+/// The pointer is NULL or came from [`instantiate`] of the same model, and no reference to its instance is held.
+pub unsafe fn callback<M: Model, T>(instance: *mut c_void, run: impl FnOnce() -> T) -> T {
+    // SAFETY: the caller's promise; the shell lives on, since it is not freed while a callback is under way.
+    let shell = unsafe { instance.cast::<Shell<M>>().as_ref() };
+    let under_way = shell.map(|shell| &shell.callbacks);
+    under_way.inspect(|count| {
+        count.fetch_add(1, Ordering::AcqRel);
+    });
+    let answer = run();
+    under_way.inspect(|count| {
+        count.fetch_sub(1, Ordering::AcqRel);
+    });
+    answer
 }
 
 /// The way of every call on an instance: checks the pointer and the phase, runs the body, catches a panic, logs.
@@ -262,16 +286,6 @@ pub unsafe fn call<M: Model>(
         instance.allow(call, function)?;
         body(instance)
     });
-    match outcome {
-        Ok(Ok(())) => 0,
-        failed => fail(instance, function, failed),
-    }
-}
-
-/// Logs why a call failed, and returns its status. On its own, since there are more than a hundred calls.
-#[cold]
-#[inline(never)]
-fn fail<M: Model>(instance: &mut Instance<M>, function: &str, outcome: Result<Result<(), Refusal>, String>) -> i32 {
     let refusal = match outcome {
         Ok(Ok(())) => return 0,
         Ok(Err(refusal)) => refusal,

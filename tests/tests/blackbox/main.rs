@@ -2,7 +2,6 @@
 
 mod boom_crane;
 mod command_source;
-mod fuzz;
 mod instance;
 mod libraries;
 mod mistakes;

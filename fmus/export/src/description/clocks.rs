@@ -29,6 +29,8 @@ pub fn clocks<M: Model>() -> impl Iterator<Item = Entry> {
         let mut variable = Variable::new(clock.name, reference, DataType::Clock, causality, Variability::Discrete);
         variable.description = Some(clock.description.to_string());
         variable.initial = None;
+        let by = M::CLOCKS.iter().enumerate().filter(|(_, other)| clock.by.contains(&other.name));
+        variable.clocks = by.map(|(index, _)| clock_reference::<M>(index)).collect();
         variable.clock = Some(described(clock));
         Entry { block: Block::Clocks, first: Layout::<M>::CLOCKS + index, count: 1, variable }
     })

@@ -53,6 +53,7 @@ pub fn entries<M: Model>(version: FmiVersion, variant: Variant) -> Vec<Entry> {
                 } else {
                     let other = alias.map(|alias| Variable {
                         name: if whole { alias.name } else { format!("{}[{}]", alias.name, part + 1) },
+                        description: alias.description,
                         causality: Causality::Local,
                         initial: Initial::default_for(Causality::Local, variable.variability),
                         start: None,

@@ -5,7 +5,7 @@ use swayless_abi::fmi3::*;
 use crate::co_simulation::{Progress, StepEnd};
 use crate::model::Model;
 use crate::phase::{Call, Phase};
-use crate::raw::{Surroundings, call, put, surroundings};
+use crate::raw::{Surroundings, call, callback, put, surroundings};
 
 /// See [`fmi3GetVersion`](super::fmi3GetVersion).
 #[allow(clippy::too_many_arguments, reason = "the signature is the standard's")]
@@ -48,7 +48,9 @@ pub unsafe fn fmi3DoStep<M: Model>(
                 Ok(())
             });
             let (Some((t, early)), Some(stride)) = (paused, &mut stride) else { return status };
-            if let Some(wanted) = intermediate_update(surroundings, t, early && t < stride.end()) {
+            let can_return_early = early && t < stride.end();
+            let update = || intermediate_update(surroundings, t, can_return_early);
+            if let Some(wanted) = callback::<M, _>(instance, update) {
                 stride.return_at(wanted);
             }
             now = Call::ContinueStep;

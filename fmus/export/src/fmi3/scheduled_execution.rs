@@ -4,7 +4,7 @@ use swayless_abi::fmi3::*;
 
 use crate::model::Model;
 use crate::phase::{Call, Phase};
-use crate::raw::{call, surroundings};
+use crate::raw::{call, callback, surroundings};
 
 /// See [`fmi3GetVersion`](super::fmi3GetVersion).
 pub unsafe fn fmi3ActivateModelPartition<M: Model>(
@@ -23,9 +23,9 @@ pub unsafe fn fmi3ActivateModelPartition<M: Model>(
             }
             Ok(())
         });
-        let Some(callback) = surroundings.clock_update.filter(|_| news) else { return status };
+        let Some(update) = surroundings.clock_update.filter(|_| news) else { return status };
         // No reference to the instance is held: the importer asks it for clocks and intervals.
-        callback(surroundings.environment);
+        callback::<M, _>(instance, || update(surroundings.environment));
         call::<M>(instance, Call::EndClockUpdate, "fmi3ActivateModelPartition", |instance| {
             instance.phase = Phase::ClockActivation;
             Ok(())
