@@ -2,10 +2,11 @@
 //!
 //! Run `swayless build` first. `SWAYLESS_FMUS` names another folder than `target/fmus`.
 
-use std::cell::RefCell;
-use std::fmt;
-use std::path::{Path, PathBuf};
+mod built;
 
+use std::cell::RefCell;
+
+use built::{Built, built};
 use divan::Bencher;
 use swayless::Fmu;
 use swayless::slave::{Experiment, Model, Slave};
@@ -17,33 +18,6 @@ const STEPS_PER_CHANGE: u32 = 100;
 
 fn main() {
     divan::main();
-}
-
-/// A built FMU by the version's folder and its file's stem.
-#[derive(Clone)]
-struct Built(PathBuf);
-
-impl fmt::Display for Built {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let part = |path: Option<&Path>| path.and_then(Path::file_stem).unwrap_or_default().display().to_string();
-        write!(f, "{}/{}", part(self.0.parent()), part(Some(&self.0)))
-    }
-}
-
-fn built() -> Vec<Built> {
-    let default = || Path::new(env!("CARGO_MANIFEST_DIR")).join("../target/fmus");
-    let folder = std::env::var_os("SWAYLESS_FMUS").map_or_else(default, PathBuf::from);
-    let mut found: Vec<_> = ["fmi2", "fmi3"]
-        .iter()
-        .filter_map(|version| folder.join(version).read_dir().ok())
-        .flat_map(|entries| entries.filter_map(|entry| Some(Built(entry.ok()?.path()))))
-        .filter(|built| built.0.extension().is_some_and(|extension| extension == "fmu"))
-        .collect();
-    found.sort_by(|a, b| a.0.cmp(&b.0));
-    if found.is_empty() {
-        println!("no FMUs in {}: run `swayless build` first", folder.display());
-    }
-    found
 }
 
 /// An instance that is stepped on and on.

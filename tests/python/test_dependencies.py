@@ -1,126 +1,99 @@
-"""Kinds of dependencies are what derivatives show, and those of single elements are those of the description."""
+"""Whatever moves an output or an initial unknown is declared as a dependency of it, whether it is a number or a switch."""
 
 import math
-from ctypes import byref, c_double, c_int, c_size_t, c_uint32
 
-from host import FLOATS, HOLD, STEP, sequence
-from raw import ERROR, OK, Library, Raw
-
-CLOCKS = True
-KINDS = (None, "constant", "fixed", "tunable", "discrete", "dependent")
+from host import STEP, sequence
+from raw import OK, Library, Raw
 
 
-def dependencies(instance, variable):
-    """The dependencies of single elements: `{(element, value reference, element): kind}`."""
-    count = c_size_t()
-    reference = c_uint32(variable.valueReference)
-    assert instance.call("GetNumberOfVariableDependencies", reference, byref(count)) == OK, instance.texts()
-    n = count.value
-    own, references, others, kinds = (c_size_t * n)(), (c_uint32 * n)(), (c_size_t * n)(), (c_int * n)()
-    assert instance.call("GetVariableDependencies", reference, own, references, others, kinds, c_size_t(n)) == OK
-    assert instance.call("GetVariableDependencies", reference, own, references, others, kinds, c_size_t(n + 1)) == ERROR
-    found = list(zip(own, references, others))
-    assert len(set(found)) == n
-    return dict(zip(found, (KINDS[kind] for kind in kinds)))
+def others(variable):
+    """Values of a variable other than the one it starts with, within its bounds."""
+    start = variable.start
+    if variable.type in ("Real", "Float64", "Float32"):
+        numbers = [float(word) for word in str(start or 0.0).split()]
+        count = math.prod(variable.shape or ())
+        numbers = numbers if len(numbers) == count else numbers * count
+        for part in (1e-3, -1e-3, 0.3):
+            moved = [number + part * max(abs(number), 1.0) for number in numbers]
+            low = -math.inf if variable.min is None else float(variable.min)
+            high = math.inf if variable.max is None else float(variable.max)
+            yield [min(max(number, low), high) for number in moved]
+    elif variable.type == "Boolean":
+        yield start != "true"
+    elif variable.type == "Enumeration":
+        yield from (int(item.value) for item in variable.declaredType.items if str(item.value) != str(start))
+    elif variable.type in ("Integer", "Int32"):
+        yield int(start or 0) + 1
 
 
-def fresh(library, **arguments):
-    """An initialized instance of the first interface that fits."""
-    arguments.setdefault("event_mode", bool(library.fmu.clocks))
-    token = (library.fmu.description.guid or "").encode()
-    return Raw(library, "CoSimulation", token=token, **arguments)
-
-
-def test_elements_depend_as_the_description_says(fmu):
-    """Over all elements: the same variables, and the most intricate kind; before and after initialization ends."""
-    if fmu.is_fmi2:
-        return
-    description = fmu.description
-    sizes = {v.valueReference: math.prod(v.shape or ()) for v in fmu.variables.values()}
-    running = description.outputs + description.derivatives
-    with Library(fmu) as library:
-        for unknowns, initialized in ((description.initialUnknowns, False), (running, True)):
-            for unknown in unknowns:
-                if unknown.variable.type == "Clock" or unknown.dependencies is None:
-                    continue
-                with fresh(library) as instance:
-                    if initialized:
-                        assert instance.initialize() == OK
-                    found = dependencies(instance, unknown.variable)
-                merged = {}
-                for (element, reference, other), kind in found.items():
-                    assert element <= sizes[unknown.variable.valueReference] and other <= sizes[reference]
-                    assert (element > 0) == (sizes[unknown.variable.valueReference] > 1)
-                    assert (other > 0) == (sizes[reference] > 1)
-                    merged[reference] = max(merged.get(reference, kind), kind, key=KINDS.index)
-                kinds = unknown.dependenciesKind or ["dependent"] * len(unknown.dependencies)
-                declared = {v.valueReference: kind for v, kind in zip(unknown.dependencies, kinds, strict=True)}
-                if not initialized:
-                    # The description leaves out what is an unknown itself.
-                    merged = {reference: kind for reference, kind in merged.items() if reference in declared}
-                assert merged == declared, unknown.variable.name
-
-
-def test_what_has_no_dependencies_is_refused(fmu):
-    """Parameters, inputs and unknown variables."""
-    if fmu.is_fmi2:
-        return
-    wrong = [v.valueReference for v in fmu.variables.values() if v.causality in ("parameter", "input") and v.type != "Clock"]
-    with Library(fmu) as library:
-        for reference in wrong[:2] + [2**32 - 1]:
-            with fresh(library) as instance:
-                count = c_size_t()
-                assert instance.call("GetNumberOfVariableDependencies", c_uint32(reference), byref(count)) == ERROR
-                assert instance.messages
-
-
-def derivative(instance, unknown, known):
-    """How an unknown changes with a known."""
-    references = (c_uint32 * 1)(unknown.valueReference), (c_uint32 * 1)(known.valueReference)
-    seed, value, one = (c_double * 1)(1.0), (c_double * 1)(), c_size_t(1)
-    sizes = [] if instance.fmu.is_fmi2 else [one]
-    arguments = [references[0], one, references[1], one, seed, *sizes, value, *sizes]
-    assert instance.call("GetDirectionalDerivative", *arguments) == OK, instance.texts()
-    return value[0]
-
-
-def test_kinds_are_what_derivatives_show(case):
-    """Constant: the same for all parameters. Fixed, tunable: the same in a run."""
-    fmu, parameters = case
-    description = fmu.description
-    pairs = []
-    if fmu.clocks:
-        # Nothing in it is continuous.
-        assert not description.derivatives
-        return
-    for unknown in description.outputs + description.derivatives:
-        v = unknown.variable
-        if v.type not in FLOATS or v.variability != "continuous" or v.shape or not unknown.dependenciesKind:
-            continue
-        for known, kind in zip(unknown.dependencies, unknown.dependenciesKind):
-            if known.type in FLOATS and known.variability == "continuous" and not known.shape and known is not v:
-                pairs.append((v, known, kind))
-    others = {
-        v.name: float(v.start) * 1.1
-        for v in fmu.variables.values()
-        if v.causality == "parameter" and v.type == ("Real" if fmu.is_fmi2 else "Float64") and not v.shape
-        and (v.max is None or float(v.start) * 1.1 <= float(v.max))
+def declared(unknowns):
+    """The names of what each unknown depends on; None is all."""
+    return {u.variable.name: u.dependencies and {v.name for v in u.dependencies} for u in unknowns if u.dependencies != []} | {
+        u.variable.name: set() for u in unknowns if u.dependencies == []
     }
-    seen = {}
+
+
+def check(moved, known, before, after):
+    """Collects the unknowns that a known has moved without being declared."""
+    for name, names in moved.items():
+        if after[name] != before[name] and names is not None and known not in names:
+            yield f"{name} by {known}"
+
+
+def test_initial_unknowns_depend_on_what_is_declared(case):
+    """Every value that can be set before initialization ends, one at a time."""
+    fmu, parameters = case
+    unknowns = declared(fmu.description.initialUnknowns)
+    read = [fmu.variables[name] for name in unknowns]
+    settable = [
+        v
+        for v in fmu.variables.values()
+        if v.causality == "input" or v.initial in ("exact", "approx") and v.variability != "constant"
+    ]
+    tried, undeclared = 0, set()
     with Library(fmu) as library:
-        for run, changes in enumerate(({}, others)):
-            with fresh(library) as instance:
-                assert instance.initialize({**parameters, **changes}) == OK, instance.texts()
-                for k in range(4 * HOLD):
-                    if k % HOLD == 0 and k > 0:
-                        assert instance.set(sequence(fmu, k // HOLD)) == OK
-                    assert instance.step(k * STEP, (k + 1) * STEP - k * STEP) == OK
-                    if k % 7 == 6:
-                        for v, known, _ in pairs:
-                            seen.setdefault((v.name, known.name), ([], []))[run].append(derivative(instance, v, known))
-    for v, known, kind in pairs:
-        first, second = seen[v.name, known.name]
-        if kind == "constant":
-            assert len(set(first + second)) == 1, (v.name, known.name)
-        elif kind in ("fixed", "tunable"):
-            assert len(set(first)) == 1 and len(set(second)) == 1, (v.name, known.name)
+        for v in settable:
+            for value in others(v):
+                with Raw(library, "ModelExchange") as instance:
+                    assert instance.set(fmu.with_files(parameters)) == OK
+                    assert instance.enter_initialization() == OK
+                    assert instance.set(sequence(fmu, 1)) == OK
+                    before = instance.get(read)
+                    if v.name in parameters or instance.set({v.name: value}) != OK:
+                        continue
+                    # Values that do not go together are refused when initialization is attempted.
+                    place = [instance.access("Get", r, (instance.ctype(r)[1] * math.prod(r.shape or ()))()) for r in read]
+                    if any(place):
+                        continue
+                    tried += 1
+                    undeclared |= set(check(unknowns, v.name, before, instance.get(read)))
+    assert not undeclared, sorted(undeclared)
+    assert tried >= len(settable) // 2
+
+
+def test_outputs_depend_on_what_is_declared(case):
+    """Every input, one at a time: at once in co-simulation, and after the event that it is in model exchange."""
+    fmu, parameters = case
+    outputs = declared(fmu.description.outputs)
+    read = [fmu.variables[name] for name in outputs]
+    undeclared = set()
+    with Library(fmu) as library:
+        for kind in ("CoSimulation", "ModelExchange"):
+            with Raw(library, kind) as instance:
+                assert instance.initialize(parameters, sequence(fmu, 1)) == OK
+                if kind == "CoSimulation":
+                    assert [instance.step(k * STEP) for k in range(7)] == [OK] * 7
+                status, state = instance.take()
+                assert status == OK
+                for v in fmu.inputs:
+                    for value in others(v):
+                        seen = []
+                        for change in ({}, {v.name: value}):
+                            assert instance.restore(state) == OK
+                            assert instance.set(change) == OK
+                            if kind == "ModelExchange":
+                                assert instance.update() == OK
+                            seen.append(instance.get(read))
+                        undeclared |= set(check(outputs, v.name, *seen))
+                assert instance.release(state) == OK
+    assert not undeclared, sorted(undeclared)

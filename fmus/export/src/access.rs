@@ -1,6 +1,6 @@
 //! Getting and setting variables by value reference.
 
-use crate::course::Term;
+use crate::course::{HIGHEST_ORDER, Term};
 use crate::declaration::{Declaration, Kind};
 use crate::instance::{Instance, Refusal, range};
 use crate::layout::{Block, Layout};
@@ -17,10 +17,18 @@ impl<M: Model> Instance<M> {
             .ok_or_else(|| Refusal::error(format!("there is no variable with value reference {reference}")))
     }
 
-    /// Initializes, if start values have been set since: outputs must be consistent whenever they are read.
+    /// Initializes, if start values have been set since: outputs must be consistent whenever they are read. Models may
+    /// rely on what has been checked, so that values which leave no outputs are refused; they can still be corrected.
     pub(crate) fn ready(&mut self) -> Result<(), Refusal> {
         match self.phase {
-            Phase::Initialization => self.initialize(),
+            Phase::Initialization if self.uninitialized => {
+                self.check_inputs()?;
+                let problems = self.check_start();
+                if !problems.is_empty() {
+                    return Err(Refusal::discard(problems.join("; ")));
+                }
+                self.initialize()
+            }
             Phase::Event => self.evaluate(),
             _ => Ok(()),
         }
@@ -29,7 +37,8 @@ impl<M: Model> Instance<M> {
     /// The value of a scalar.
     #[inline]
     pub fn get(&mut self, block: Block, index: usize) -> Result<Value<'_, f64>, Refusal> {
-        if self.uninitialized || self.pending {
+        let given = matches!(block, Block::Time | Block::Parameters | Block::Inputs);
+        if self.uninitialized && !given || self.pending {
             self.ready()?;
         }
         if self.phase == Phase::Intermediate {
@@ -184,8 +193,11 @@ impl<M: Model> Instance<M> {
         if !continuous {
             return Err(Refusal::error(format!("{} has no derivative to set: it is no continuous input", name())));
         }
-        let Some(order) = u32::try_from(order).ok().filter(|order| *order > 0) else {
-            return Err(Refusal::error(format!("{}: order {order} of a derivative; it must be at least 1", name())));
+        let Some(order) = u32::try_from(order).ok().filter(|order| (1..=HIGHEST_ORDER).contains(order)) else {
+            let name = name();
+            return Err(Refusal::error(format!(
+                "{name}: order {order} of a derivative; 1 to {HIGHEST_ORDER} are known"
+            )));
         };
         if !value.is_finite() {
             return Err(Refusal::discard(format!(

@@ -89,11 +89,15 @@ impl<M: Model> Instance<M> {
                 self.t
             )));
         }
+        let end = current + step;
+        if !end.is_finite() {
+            return Err(Refusal::error(format!("a step of {step} s from {current} s has no end")));
+        }
         if self.disturbed {
             self.check_inputs()?;
         }
         let stride = Stride {
-            end: current + step,
+            end,
             pauses,
             begun: false,
             events: 0,
@@ -124,8 +128,9 @@ impl<M: Model> Instance<M> {
             self.moved();
             self.flow.begin_anew_with(stride.wanted);
         }
-        if !matches!(done, Ok(Progress::Paused)) {
-            // Derivatives of inputs are for one step (FMI 2.0.5, 4.2.1); the inputs stay where they have got to.
+        if matches!(done, Ok(Progress::Ended(_))) {
+            // Derivatives of inputs are for one step (FMI 2.0.5, 4.2.1), which may be tried again where it failed; the
+            // inputs stay where they have got to.
             self.course.hold();
         }
         done

@@ -3,6 +3,9 @@
 use crate::model::Model;
 use crate::variables::{Value, Variables};
 
+/// No importer knows derivatives of a higher order; the time that a step takes grows with it.
+pub const HIGHEST_ORDER: u32 = 20;
+
 /// A derivative of an input at the begin of the step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Term {

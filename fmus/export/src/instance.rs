@@ -164,13 +164,16 @@ impl<M: Model> Instance<M> {
 
     /// Refuses a call that is not allowed now.
     pub(crate) fn allow(&self, call: Call, function: &str) -> Result<(), Refusal> {
-        if call.is_allowed(self.interface, self.phase) {
-            return Ok(());
-        }
-        Err(Refusal::error(format!(
+        if call.is_allowed(self.interface, self.phase) { Ok(()) } else { Err(self.not_allowed(function)) }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn not_allowed(&self, function: &str) -> Refusal {
+        Refusal::error(format!(
             "{function} is not allowed: the instance is in phase {:?} of {:?}",
             self.phase, self.interface
-        )))
+        ))
     }
 
     /// Back to where the instance was when it was made; the log keeps its settings.
@@ -238,12 +241,23 @@ impl<M: Model> Instance<M> {
     }
 
     /// Everything that is wrong with parameters and start values.
-    fn check_start(&self) -> Vec<String> {
-        let mut problems = bounds(&self.parameter_declarations, &self.p, |index| self.has(Block::Parameters, index));
-        problems.extend(bounds(&self.state_declarations, &self.declared, |index| self.has(Block::States, index)));
+    pub(crate) fn check_start(&self) -> Vec<String> {
+        let mut problems = self.out_of_bounds(&self.p, &self.declared, |block, index| self.has(block, index));
         if problems.is_empty() {
             problems.extend(M::check(&self.p, &self.declared).iter().map(ToString::to_string));
         }
+        problems
+    }
+
+    /// Of parameters and start values, those that are there and lie outside of their declared bounds.
+    pub(crate) fn out_of_bounds(
+        &self,
+        p: &M::Parameters<f64>,
+        declared: &M::States<f64>,
+        has: impl Fn(Block, usize) -> bool,
+    ) -> Vec<String> {
+        let mut problems = bounds(&self.parameter_declarations, p, |index| has(Block::Parameters, index));
+        problems.extend(bounds(&self.state_declarations, declared, |index| has(Block::States, index)));
         problems
     }
 

@@ -20,21 +20,23 @@ thread_local! {
 /// Rust's standard library; where several share one, as in unit tests, other panics go to the hook that was there.
 pub fn caught<T>(body: impl FnOnce() -> T) -> Result<T, String> {
     static HOOK: Once = Once::new();
-    HOOK.call_once(|| {
-        let other = take_hook();
-        set_hook(Box::new(move |panic| if DEPTH.get() == 0 { other(panic) } else { remember(panic) }));
-    });
+    HOOK.call_once(keep_quiet);
     DEPTH.set(DEPTH.get() + 1);
     // What a panic leaves half done is the caller's to lock away.
     let outcome = catch_unwind(AssertUnwindSafe(body));
     DEPTH.set(DEPTH.get() - 1);
-    outcome.map_err(|panic| {
-        let place = ManuallyDrop::into_inner(PLACE.take());
-        let why = format!("{}{place}", reason(&*panic));
-        // What was thrown may be anything, a thing that panics when it is dropped included.
-        std::mem::forget(panic);
-        why
-    })
+    outcome.map_err(told)
+}
+
+fn keep_quiet() {
+    let other = take_hook();
+    set_hook(Box::new(move |panic| if DEPTH.get() == 0 { other(panic) } else { remember(panic) }));
+}
+
+#[cold]
+#[inline(never)]
+fn told(panic: Box<dyn Any + Send>) -> String {
+    format!("{}{}", reason(panic), ManuallyDrop::into_inner(PLACE.take()))
 }
 
 fn remember(panic: &PanicHookInfo<'_>) {
@@ -43,7 +45,13 @@ fn remember(panic: &PanicHookInfo<'_>) {
 }
 
 /// What a panic said.
-fn reason(panic: &(dyn Any + Send)) -> &str {
-    let text = panic.downcast_ref::<String>().map(String::as_str);
-    text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("no reason given")
+fn reason(panic: Box<dyn Any + Send>) -> String {
+    panic.downcast::<String>().map(|text| *text).unwrap_or_else(|panic| match panic.downcast::<&str>() {
+        Ok(text) => (*text).to_owned(),
+        Err(panic) => {
+            // What was thrown may be anything, a thing that panics when it is dropped included.
+            std::mem::forget(panic);
+            "no reason given".to_owned()
+        }
+    })
 }

@@ -286,6 +286,16 @@ pub unsafe fn call<M: Model>(
         instance.allow(call, function)?;
         body(instance)
     });
+    match outcome {
+        Ok(Ok(())) => 0,
+        failed => fail(instance, function, failed),
+    }
+}
+
+/// Logs why a call failed, and returns its status. On its own, since there are more than a hundred calls.
+#[cold]
+#[inline(never)]
+fn fail<M: Model>(instance: &mut Instance<M>, function: &str, outcome: Result<Result<(), Refusal>, String>) -> i32 {
     let refusal = match outcome {
         Ok(Ok(())) => return 0,
         Ok(Err(refusal)) => refusal,

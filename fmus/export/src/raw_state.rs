@@ -135,11 +135,13 @@ pub unsafe fn deserialize<M: Model>(
 ) -> i32 {
     // SAFETY: the caller's promises.
     unsafe {
-        call::<M>(instance, Call::State, function, |_| {
+        call::<M>(instance, Call::State, function, |instance| {
             if place.is_null() {
                 return Err(missing("FMUState"));
             }
-            give(place, Snapshot::<M>::from_bytes(slice(bytes, n, "serializedState")?)?);
+            let snapshot = Snapshot::<M>::from_bytes(slice(bytes, n, "serializedState")?)?;
+            instance.check_snapshot(&snapshot)?;
+            give(place, snapshot);
             Ok(())
         })
     }

@@ -8,9 +8,10 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use crate::course::Term;
+use crate::course::{HIGHEST_ORDER, Term};
 use crate::flow::Pace;
 use crate::instance::{Instance, Refusal};
+use crate::layout::Layout;
 use crate::model::{Indicators, Model};
 use crate::phase::{Interface, Phase};
 use crate::schedule::Timer;
@@ -73,6 +74,21 @@ impl<M: Model> Instance<M> {
             timers: timers.to_vec(),
             intervals: intervals.to_vec(),
         }
+    }
+
+    /// Refuses a state from outside whose run goes on with parameters or start values out of bounds, on which models rely.
+    /// How parameters go together is no matter here: tunable ones may have changed since.
+    pub fn check_snapshot(&self, snapshot: &Snapshot<M>) -> Result<(), Refusal> {
+        if snapshot.memory.is_none() || snapshot.uninitialized {
+            return Ok(());
+        }
+        let sizes = Sizes::of::<M>(&snapshot.p);
+        let has = |block, index| sizes.as_ref().is_none_or(|sizes| sizes.has(Layout::<M>::first(block) + index));
+        let problems = self.out_of_bounds(&snapshot.p, &snapshot.declared, has);
+        if problems.is_empty() {
+            return Ok(());
+        }
+        Err(Refusal::error(format!("the serialized state is refused: {}", problems.join("; "))))
     }
 
     /// Goes to a state, from wherever the instance is.
@@ -266,8 +282,9 @@ impl<M: Model> Snapshot<M> {
                 .course
                 .iter()
                 .map(|&(index, order, value)| {
-                    let inside = (index as usize) < <M::Inputs<f64> as Variables<f64>>::COUNT && order > 0;
-                    (inside && value.is_finite()).then_some(Term { index: index as usize, order, value })
+                    let inside = (index as usize) < <M::Inputs<f64> as Variables<f64>>::COUNT;
+                    let known = (1..=HIGHEST_ORDER).contains(&order);
+                    (inside && known && value.is_finite()).then_some(Term { index: index as usize, order, value })
                 })
                 .collect::<Option<_>>()?,
             pace: Pace {

@@ -115,16 +115,46 @@ fn broken_archives_are_typed_errors() {
     assert!(matches!(Unpacked::open(Path::new("no/such.fmu")), Err(Error::FileNotFound { .. })));
 }
 
+/// A field of a header, or a part of the data.
+fn field() -> impl Strategy<Value = Vec<u8>> {
+    prop_oneof![
+        3 => any::<u8>().prop_map(|byte| vec![byte]),
+        // A size, an offset or a count that nothing can have; the greatest of them announces 64-bit fields.
+        1 => Just(vec![0xff; 4]),
+        1 => Just(vec![0xfe, 0xff, 0xff, 0x7f]),
+        1 => Just(vec![0xff; 2]),
+        1 => Just(vec![0; 4]),
+    ]
+}
+
 proptest! {
-    /// Whatever bytes are flipped, unpacking returns and writes nothing beside the folder.
+    /// Whatever is changed, cut or put in, unpacking returns and writes nothing beside the folder.
     #[test]
-    fn damaged_archives_never_panic(flips in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..8)) {
+    fn damaged_archives_never_panic(
+        changes in prop::collection::vec((any::<prop::sample::Index>(), field()), 1..8),
+        cut in prop::option::of(any::<prop::sample::Index>()),
+        again in any::<bool>(),
+    ) {
         let mut bytes = archive(&[("modelDescription.xml", b"<fmiModelDescription/>"), ("binaries/x/y.so", &[7; 300])]);
-        for (index, byte) in flips {
+        for (index, field) in changes {
             let at = index.index(bytes.len());
-            bytes[at] = byte;
+            let end = (at + field.len()).min(bytes.len());
+            bytes[at..end].copy_from_slice(&field[..end - at]);
         }
-        let _ = open(&bytes, Limits { bytes: 1 << 20, ..Limits::default() });
+        if let Some(cut) = cut {
+            bytes.truncate(cut.index(bytes.len()));
+        }
+        if again {
+            bytes.extend(bytes.clone());
+        }
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("test.fmu");
+        std::fs::write(&path, &bytes).unwrap();
+        let begin = std::time::Instant::now();
+        let opened = Unpacked::open_with(&path, Limits { bytes: 1 << 20, ..Limits::default() });
+        prop_assert!(begin.elapsed().as_secs() < 5);
+        prop_assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+        drop(opened);
     }
 
     #[test]

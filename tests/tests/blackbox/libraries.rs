@@ -84,3 +84,14 @@ fn libraries_need_the_c_library_only() {
 fn libraries_tell_nothing_of_where_they_were_built() {
     assert_eq!(packaged::all().with_local_paths, Vec::<String>::new());
 }
+
+/// They are stripped, and what is called more than a hundred times is not written out as often.
+#[test]
+fn libraries_are_small() {
+    for path in packaged::paths() {
+        let bytes = library(&path);
+        let file = object::File::parse(&*bytes).expect("a library");
+        assert!(!file.has_debug_symbols() && file.symbols().next().is_none(), "{} is not stripped", path.display());
+        assert!(bytes.len() <= 1_000_000, "{}: {} bytes", path.display(), bytes.len());
+    }
+}

@@ -2,6 +2,7 @@
 
 mod boom_crane;
 mod command_source;
+mod fuzz;
 mod instance;
 mod libraries;
 mod mistakes;

@@ -90,6 +90,8 @@ accessors!(
     |_, _, value| Value::Boolean(value != 0)
 );
 
+#[cold]
+#[inline(never)]
 fn wrong_type<M: Model>(reference: u32, function: &str) -> Refusal {
     let name = Layout::<M>::locate(reference).map(|(block, index)| Layout::<M>::name(block, index));
     Refusal::error(format!("{function} was called for {}, which is of another type", name.unwrap_or_default()))

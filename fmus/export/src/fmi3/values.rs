@@ -40,6 +40,8 @@ pub(super) fn each_scalar<M: Model>(
     }
 }
 
+#[cold]
+#[inline(never)]
 fn wrong_type<M: Model>(block: Block, index: usize, function: &str) -> Refusal {
     Refusal::error(format!("{function} was called for {}, which is of another type", Layout::<M>::name(block, index)))
 }

@@ -84,12 +84,35 @@ fn the_communication_point_may_differ_in_its_last_bits_only() {
 }
 
 #[test]
-fn a_step_needs_a_length() {
-    for h in [0.0, -0.1, f64::NAN, f64::INFINITY] {
+fn a_step_needs_a_begin_a_length_and_an_end() {
+    for (t, h) in [0.0, -0.1, f64::NAN, f64::INFINITY].map(|h| (0.0, h)).into_iter().chain([(f64::INFINITY, 0.1)]) {
         let ball = Host::co_simulation();
         ball.initialize();
-        assert_eq!(ball.step(0.0, h), ERROR);
+        assert_eq!(ball.step(t, h), ERROR);
     }
+    let ball = Host::co_simulation();
+    // SAFETY: an instance.
+    let status = unsafe { fmi3::fmi3EnterInitializationMode::<Ball>(ball.instance, 0, 0.0, f64::MAX, 0, 0.0) };
+    assert_eq!((status, ball.exit_initialization()), (OK, OK));
+    assert_eq!(ball.step(f64::MAX, f64::MAX), ERROR);
+}
+
+/// Models rely on what has been checked: they are not asked before.
+#[test]
+fn outputs_of_wrong_start_values_are_discarded_until_they_are_right() {
+    let ball = Host::co_simulation();
+    let clearance = ball.reference("clearance");
+    let read = |ball: &Host| {
+        let mut value = f64::NAN;
+        // SAFETY: one reference and one value.
+        unsafe { fmi3::fmi3GetFloat64::<Ball>(ball.instance, &clearance, 1, &mut value, 1) }
+    };
+    assert_eq!(ball.enter_initialization(), OK);
+    assert_eq!((ball.set("gravity", -1.0), read(&ball)), (OK, DISCARD));
+    assert!(ball.last_message().contains("gravity is -1"), "{}", ball.last_message());
+    assert_eq!(ball.get("gravity"), -1.0, "what was set can be read all the same");
+    assert_eq!((ball.set("gravity", 9.81), ball.set("push", f64::NAN), read(&ball)), (OK, OK, DISCARD));
+    assert_eq!((ball.set("push", 0.0), read(&ball), ball.exit_initialization()), (OK, OK, OK));
 }
 
 #[test]

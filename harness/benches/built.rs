@@ -1,0 +1,32 @@
+//! The built FMUs that are measured.
+
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+/// A built FMU by the version's folder and its file's stem.
+#[derive(Clone)]
+pub struct Built(pub PathBuf);
+
+impl fmt::Display for Built {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let part = |path: Option<&Path>| path.and_then(Path::file_stem).unwrap_or_default().display().to_string();
+        write!(f, "{}/{}", part(self.0.parent()), part(Some(&self.0)))
+    }
+}
+
+/// Every archive in the folder that `SWAYLESS_FMUS` names, or in `target/fmus`.
+pub fn built() -> Vec<Built> {
+    let default = || Path::new(env!("CARGO_MANIFEST_DIR")).join("../target/fmus");
+    let folder = std::env::var_os("SWAYLESS_FMUS").map_or_else(default, PathBuf::from);
+    let mut found: Vec<_> = ["fmi2", "fmi3"]
+        .iter()
+        .filter_map(|version| folder.join(version).read_dir().ok())
+        .flat_map(|entries| entries.filter_map(|entry| Some(Built(entry.ok()?.path()))))
+        .filter(|built| built.0.extension().is_some_and(|extension| extension == "fmu"))
+        .collect();
+    found.sort_by(|a, b| a.0.cmp(&b.0));
+    if found.is_empty() {
+        println!("no FMUs in {}: run `swayless build` first", folder.display());
+    }
+    found
+}
