@@ -39,11 +39,11 @@ int counted_step(Step *step, void *instance, double time, double size, char *fla
 }
 
 /* The same for a call whose arguments are pointers and lengths. */
-typedef int Call(void *, void *, void *, void *, void *);
-int counted_call(Call *call, void *a, void *b, void *c, void *d, void *e, long *counted) {
+typedef int Call(void *, void *, void *, void *, void *, void *, void *);
+int counted_call(Call *call, void *a, void *b, void *c, void *d, void *e, void *f, void *g, long *counted) {
     count = 0;
     counting = 1;
-    int status = call(a, b, c, d, e);
+    int status = call(a, b, c, d, e, f, g);
     counting = 0;
     *counted = count;
     return status;

@@ -4,7 +4,7 @@ import ctypes
 import json
 import sys
 import tempfile
-from ctypes import c_char, c_double, c_long, c_size_t, c_uint32, c_void_p
+from ctypes import c_bool, c_char, c_double, c_long, c_size_t, c_uint32, c_void_p
 from pathlib import Path
 
 from host import HOLD, STEP, Fmu, sequence
@@ -23,7 +23,7 @@ def counted_call(instance, name, *arguments):
     """How often a call allocates or frees; its arguments are pointers and lengths."""
     count = c_long()
     given = [ctypes.cast(a, c_void_p) if not isinstance(a, c_size_t) else c_void_p(a.value) for a in arguments]
-    given += [c_void_p()] * (4 - len(given))
+    given += [c_void_p()] * (6 - len(given))
     pointer = c_void_p(instance.pointer)
     status = shim.counted_call(function(instance, name), pointer, *given, ctypes.byref(count))
     assert status == OK, (name, instance.messages)
@@ -78,8 +78,29 @@ def evaluations(instance):
     return found
 
 
+def ticks(instance):
+    """How often the ticks of clocks and the events they belong to allocate or free."""
+    found = []
+    for k in range(STEPS):
+        assert instance.set(sequence(instance.fmu, k // HOLD)) == OK
+        for clock in instance.fmu.clocks:
+            if clock.causality == "input":
+                reference, active = (c_uint32 * 1)(clock.valueReference), ctypes.byref(c_bool(True))
+                found.append(counted_call(instance, "SetClock", reference, c_size_t(1), active))
+        flags, due = [ctypes.byref(c_bool()) for _ in range(5)], ctypes.byref(c_double())
+        found.append(counted_call(instance, "UpdateDiscreteStates", *flags, due))
+        assert (instance.call("EnterStepMode"), instance.call("EnterEventMode")) == (OK, OK)
+    return found
+
+
 def measure(fmu, library):
     """What was counted, by the name of the case."""
+    label = f"{fmu.path.parent.name}/{fmu.path.stem}"
+    if fmu.clocks:
+        with Raw(library, "CoSimulation", event_mode=True) as instance:
+            assert instance.initialize() == OK
+            yield f"{label} steps", ticks(instance)
+        return
     for variant in fmu.variants():
         label = f"{fmu.path.parent.name}/{fmu.path.stem} {variant or ''}"
         with Raw(library, "CoSimulation") as instance:

@@ -8,6 +8,16 @@ STEPS = 40
 HOLD = 10
 
 
+def made(library, kind):
+    """An instance that can be stepped or evaluated."""
+    clocked = bool(library.fmu.clocks)
+    instance = Raw(library, kind, event_mode=clocked)
+    assert instance.initialize() == OK, instance.messages
+    if clocked and kind == "CoSimulation":
+        assert (instance.update(), instance.call("EnterStepMode")) == (OK, OK)
+    return instance
+
+
 def step(instance, k):
     """One step, with inputs that change now and then; the bits that are seen."""
     if k % HOLD == 0:
@@ -18,8 +28,7 @@ def step(instance, k):
 
 def alone(fmu):
     """All that an instance sees when its library is the only one."""
-    with Library(fmu) as library, Raw(library, "CoSimulation") as instance:
-        assert instance.initialize() == OK
+    with Library(fmu) as library, made(library, "CoSimulation") as instance:
         return [step(instance, k) for k in range(STEPS)]
 
 
@@ -27,10 +36,8 @@ def test_all_fmus_live_in_one_process():
     """Every archive of both versions at once, stepped in turns; half of them leave on the way."""
     expected = {key: alone(fmu) for key, fmu in FMUS.items()}
     libraries = {key: Library(fmu) for key, fmu in FMUS.items()}
-    instances = {key: Raw(library, "CoSimulation") for key, library in libraries.items()}
-    exchanges = [Raw(library, "ModelExchange") for library in libraries.values()]
-    for instance in (*instances.values(), *exchanges):
-        assert instance.initialize() == OK
+    instances = {key: made(library, "CoSimulation") for key, library in libraries.items()}
+    exchanges = [made(library, "ModelExchange") for library in libraries.values()]
     seen = {key: [] for key in FMUS}
     leaving = list(FMUS)[::2]
     for k in range(STEPS):

@@ -2,6 +2,9 @@
 //!
 //! One evaluation of the equations over dual numbers gives the derivatives of all unknowns in one direction of the
 //! knowns. Variables are named here by the numbers of their scalars.
+//!
+//! While the simulation runs, what is discrete is held. In Initialization Mode it follows from what is set, by the first
+//! event, which is no equation over dual numbers: there it is differenced, to the sixth order.
 
 use swayless_scalar::Dual;
 
@@ -74,9 +77,10 @@ impl<M: Model> Instance<M> {
         }
         self.refresh_derivatives()?;
         let states = Layout::<M>::STATES..Layout::<M>::DERIVATIVES;
+        let rates = self.dx.clone();
         let tangents = self.tangents(|number| match number {
             0 => 1.0,
-            state if states.contains(&state) => match self.dx.get(state - states.start) {
+            state if states.contains(&state) => match rates.get(state - states.start) {
                 Value::Real(rate) => rate,
                 _ => 0.0,
             },
@@ -113,7 +117,9 @@ impl<M: Model> Instance<M> {
     }
 
     /// Evaluates the equations with the derivative of each known in the direction.
-    fn tangents(&self, direction: impl Fn(usize) -> f64) -> Result<Tangents<M>, Refusal> {
+    fn tangents(&mut self, direction: impl Fn(usize) -> f64) -> Result<Tangents<M>, Refusal> {
+        let starting = self.phase == Phase::Initialization;
+        let (jumps, changes) = if starting { self.differences(&direction)? } else { Default::default() };
         let Some(memory) = &self.memory else {
             return Err(Refusal::error(NOT_INITIALIZED));
         };
@@ -123,16 +129,93 @@ impl<M: Model> Instance<M> {
         };
         let p: M::Parameters<Dual> = lift(&self.p, seeded(Block::Parameters));
         let u: M::Inputs<Dual> = lift(&self.u, seeded(Block::Inputs));
-        let d: M::Discrete<Dual> = lift(&self.d, |_, value| value.into());
-        // In Initialization Mode the states follow from their start values.
-        let x: M::States<Dual> = if self.phase == Phase::Initialization {
-            M::start(&p, &u, &lift(&self.declared, seeded(Block::States)))
+        let d: M::Discrete<Dual> =
+            lift(&self.d, |index, value| Dual::new(value, changes.get(index).copied().unwrap_or(0.0)));
+        // In Initialization Mode the states follow from their start values, where the first event leaves them alone.
+        let x: M::States<Dual> = if starting {
+            let from_start: M::States<Dual> = M::start(&p, &u, &lift(&self.declared, seeded(Block::States)));
+            lift(&self.x, |index, value| match from_start.get(index) {
+                Value::Real(dual) if dual.value == value => dual,
+                _ => Dual::new(value, jumps.get(index).copied().unwrap_or(0.0)),
+            })
         } else {
             lift(&self.x, seeded(Block::States))
         };
         let at = Point { t: Dual::new(self.t, direction(0)), p: &p, u: &u, x: &x, d: &d, memory };
         let (dx, y) = (M::derivatives(&at), M::outputs(&at));
         Ok(Tangents { x, dx, y })
+    }
+}
+
+/// Distance of the points that differences are taken over, relative to a value's magnitude.
+const SPREAD: f64 = 1e-3;
+/// Offsets and weights of the sixth-order central difference, times 60.
+const STENCIL: [(f64, f64); 6] = [(-3.0, -1.0), (-2.0, 9.0), (-1.0, -45.0), (1.0, 45.0), (2.0, -9.0), (3.0, 1.0)];
+
+impl<M: Model> Instance<M> {
+    /// How states and discrete numbers change when initialization is repeated with what is set moved in a direction.
+    fn differences(&mut self, direction: &impl Fn(usize) -> f64) -> Result<(Vec<f64>, Vec<f64>), Refusal> {
+        let (p, u, declared, t) = (self.p.clone(), self.u.clone(), self.declared.clone(), self.t);
+        let mut h = f64::INFINITY;
+        let mut reach = |number: usize, value: Value<'_, f64>| {
+            if let (Value::Real(value), seed) = (value, direction(number).abs())
+                && seed > 0.0
+            {
+                h = (SPREAD * value.abs().max(0.1) / seed).min(h);
+            }
+        };
+        let known = Layout::<M>::PARAMETERS..Layout::<M>::DERIVATIVES;
+        for number in known {
+            match place::<M>(number) {
+                Ok((Block::Parameters, index)) => reach(number, p.get(index)),
+                Ok((Block::Inputs, index)) => reach(number, u.get(index)),
+                Ok((Block::States, index)) => reach(number, declared.get(index)),
+                _ => {}
+            }
+        }
+        reach(0, Value::Real(t));
+        let mut sums =
+            (vec![0.0; Layout::<M>::STATE_COUNT], vec![0.0; Layout::<M>::INDICATORS - Layout::<M>::DISCRETE]);
+        if !h.is_finite() {
+            return Ok(sums);
+        }
+        let mut outcome = Ok(());
+        for (offset, weight) in STENCIL {
+            let moved = |block: Block| {
+                let first = Layout::<M>::first(block);
+                move |index: usize, value: f64| value + offset * h * direction(first + index)
+            };
+            self.p = lift(&p, moved(Block::Parameters));
+            self.u = lift(&u, moved(Block::Inputs));
+            self.declared = lift(&declared, moved(Block::States));
+            self.t = t + offset * h * direction(0);
+            self.uninitialized = true;
+            outcome = outcome.and_then(|()| self.initialize());
+            add(&mut sums.0, &self.x, weight);
+            add(&mut sums.1, &self.d, weight);
+        }
+        (self.p, self.u, self.declared, self.t) = (p, u, declared, t);
+        self.uninitialized = true;
+        self.initialize()?;
+        outcome.map_err(|refusal| {
+            Refusal::discard(format!(
+                "there is no derivative here, at the edge of what can be set: {}",
+                refusal.message
+            ))
+        })?;
+        for sum in sums.0.iter_mut().chain(&mut sums.1) {
+            *sum /= 60.0 * h;
+        }
+        Ok(sums)
+    }
+}
+
+/// Adds the real numbers of some values, times a weight.
+fn add<V: Variables<f64>>(sums: &mut [f64], values: &V, weight: f64) {
+    for (index, sum) in sums.iter_mut().enumerate() {
+        if let Value::Real(value) = values.get(index) {
+            *sum += weight * value;
+        }
     }
 }
 
