@@ -6,7 +6,7 @@ use std::ptr::NonNull;
 
 use swayless::Fmu;
 use swayless_abi::{fmi2, fmi3};
-use swayless_modeldesc::types::{FmiVersion, ModelDescription};
+use swayless_modeldesc::types::{DataType, FmiVersion, ModelDescription};
 
 use super::call::{Answer, Call};
 use super::{host2, host3};
@@ -96,7 +96,10 @@ impl Subject {
             kinds.push(Kind::ModelExchange);
         }
         if let Some(interface) = &self.description.co_simulation {
-            kinds.push(Kind::CoSimulation);
+            // The importer ticks clocks in Event Mode.
+            if self.description.variables.iter().all(|v| v.data_type != DataType::Clock) {
+                kinds.push(Kind::CoSimulation);
+            }
             if interface.has_event_mode {
                 kinds.extend([false, true].map(|early_return| Kind::EventMode { early_return }));
             }

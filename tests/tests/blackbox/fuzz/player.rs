@@ -3,11 +3,11 @@
 use std::time::{Duration, Instant};
 
 use arbitrary::Unstructured;
-use swayless_modeldesc::types::{Causality, DataType, FmiVersion, Variable};
+use swayless_modeldesc::types::{Causality, DataType, Dimension, FmiVersion, Variable};
 
 use super::call::{Access, Answer, Call, Values, floats};
 use super::library::{Host, Kind, Subject};
-use super::rules::{Mode, Name, RULES, Verdict, next};
+use super::rules::{Mode, Name, RULES, Rule, Verdict, next};
 use super::script::{Script, extent};
 
 const DISCARD: i32 = 2;
@@ -65,6 +65,11 @@ impl<'a> Player<'a> {
         }
     }
 
+    fn verdict(&self, rule: &Rule) -> Verdict {
+        let mut variables = self.subject.description.variables.iter();
+        rule.verdict(self.kind, self.mode, variables.any(|v| v.causality == Causality::StructuralParameter))
+    }
+
     fn version(&self) -> FmiVersion {
         self.subject.description.fmi_version
     }
@@ -119,7 +124,7 @@ impl<'a> Player<'a> {
             let recovers = matches!(rule.name, Name::Reset | Name::SetState);
             rule.is_of(self.version())
                 && (wild
-                    || rule.verdict(self.kind, self.mode) == Verdict::Allowed
+                    || self.verdict(rule) == Verdict::Allowed
                         && (recovers || !matches!(self.mode, Mode::Error | Mode::Terminated)))
         };
         let rules: Vec<usize> = (0..RULES.len()).filter(wanted).collect();
@@ -142,7 +147,7 @@ impl<'a> Player<'a> {
     /// Makes a call and judges the answer.
     fn play(&mut self, rule: usize, call: &Call) -> Result<(), String> {
         let rule = &RULES[rule];
-        let verdict = if self.lost { Verdict::Tolerated } else { rule.verdict(self.kind, self.mode) };
+        let verdict = if self.lost { Verdict::Tolerated } else { self.verdict(rule) };
         let before = (matches!(call, Call::DoStep { .. }) && !self.lost).then(|| self.values()).flatten();
         self.trace.push(format!("{:?}: {}", self.mode, shortened(call)));
         if let Some(file) = std::env::var_os("SWAYLESS_FUZZ_TRACE") {
@@ -324,8 +329,10 @@ impl<'a> Player<'a> {
     }
 }
 
-/// All values of variables of one type.
+/// All values of variables of one type, but for arrays whose lengths change.
 fn all(variables: &[&Variable]) -> Access {
+    let fixed = |v: &&&Variable| v.dimensions.iter().all(|dimension| matches!(dimension, Dimension::Fixed(_)));
+    let variables: Vec<&Variable> = variables.iter().filter(fixed).copied().collect();
     Access {
         data_type: DataType::Float64,
         references: variables.iter().map(|v| v.value_reference).collect(),

@@ -17,11 +17,17 @@ pub enum Mode {
     ContinuousTime,
     Step,
     Terminated,
+    /// Structural parameters are set, before initialization.
+    Configuration,
+    /// Tunable structural parameters are set, during a run.
+    Reconfiguration,
     /// A call returned Error.
     Error,
 }
 
-use Mode::{ContinuousTime, Error, Event, Initialization, Instantiated, Step, Terminated};
+use Mode::{
+    Configuration, ContinuousTime, Error, Event, Initialization, Instantiated, Reconfiguration, Step, Terminated,
+};
 
 /// The calls by name; the arguments are made elsewhere.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -89,12 +95,15 @@ enum Kinds {
     /// Where the importer handles events.
     WithEvents,
     EventModeOfCoSimulation,
+    /// FMUs with structural parameters.
+    Structural,
     /// Behind a capability that no FMU offers yet.
     None,
 }
 
 const BOTH: &[FmiVersion] = &[V2, V3];
-const ANY: &[Mode] = &[Instantiated, Initialization, Event, ContinuousTime, Step, Terminated, Error];
+const ANY: &[Mode] =
+    &[Instantiated, Initialization, Event, ContinuousTime, Step, Terminated, Configuration, Reconfiguration, Error];
 const RUNNING: &[Mode] = &[Event, ContinuousTime, Step];
 /// FMI 2.0 lets an importer look at values where a run has ended or failed; FMI 3.0 is stricter after an error.
 const LOOKING: &[Mode] = &[Initialization, Event, ContinuousTime, Step, Terminated];
@@ -126,8 +135,13 @@ pub const RULES: &[Rule] = &[
     Rule::new(Name::ExitInitialization, 8, Kinds::All, &[Initialization]),
     Rule::new(Name::Terminate, 1, Kinds::All, RUNNING).certain(),
     Rule::new(Name::Reset, 1, Kinds::All, ANY).certain(),
-    Rule::new(Name::Get, 8, Kinds::All, LOOKING).tolerated(&[Instantiated, Error]),
-    Rule::new(Name::Set, 10, Kinds::All, &[Instantiated, Initialization, Event, ContinuousTime, Step]),
+    Rule::new(Name::Get, 8, Kinds::All, LOOKING).tolerated(&[Instantiated, Configuration, Reconfiguration, Error]),
+    Rule::new(
+        Name::Set,
+        10,
+        Kinds::All,
+        &[Instantiated, Initialization, Event, ContinuousTime, Step, Configuration, Reconfiguration],
+    ),
     Rule::new(Name::GetClock, 1, Kinds::WithEvents, &[Event]).only(&[V3]),
     Rule::new(Name::SetClock, 1, Kinds::WithEvents, &[Event]).only(&[V3]),
     Rule::new(Name::DoStep, 20, Kinds::CoSimulation, &[Step]),
@@ -156,13 +170,17 @@ pub const RULES: &[Rule] = &[
     Rule::new(Name::Deserialize, 2, Kinds::All, ANY),
     Rule::new(Name::Status, 1, Kinds::CoSimulation, &[Step, Terminated]).only(&[V2]).tolerated(FAILED),
     Rule::new(Name::CancelStep, 1, Kinds::None, &[]).only(&[V2]),
-    Rule::new(Name::EnterConfiguration, 1, Kinds::None, &[]).only(&[V3]),
-    Rule::new(Name::ExitConfiguration, 1, Kinds::None, &[]).only(&[V3]),
+    // A run that has begun may be reconfigured by tunable structural parameters only; without, the FMU may refuse.
+    Rule::new(Name::EnterConfiguration, 2, Kinds::Structural, &[Instantiated])
+        .only(&[V3])
+        .tolerated(&[Step, Event])
+        .certain(),
+    Rule::new(Name::ExitConfiguration, 6, Kinds::Structural, &[Configuration, Reconfiguration]).only(&[V3]).certain(),
     Rule::new(Name::EvaluateDiscrete, 1, Kinds::None, &[]).only(&[V3]),
     Rule::new(Name::Activate, 1, Kinds::None, &[]).only(&[V3]),
     Rule::new(Name::Dependencies, 1, Kinds::All, &[Instantiated, Initialization, Event, ContinuousTime, Step])
         .only(&[V3])
-        .tolerated(&[Terminated, Error]),
+        .tolerated(&[Terminated, Configuration, Reconfiguration, Error]),
 ];
 
 /// What must come of a call.
@@ -180,7 +198,7 @@ impl Rule {
     }
 
     /// What must come of the call.
-    pub fn verdict(&self, kind: Kind, mode: Mode) -> Verdict {
+    pub fn verdict(&self, kind: Kind, mode: Mode, structural: bool) -> Verdict {
         let event_mode = matches!(kind, Kind::EventMode { .. });
         let for_this_kind = match self.kinds {
             Kinds::All => true,
@@ -188,6 +206,7 @@ impl Rule {
             Kinds::CoSimulation => kind != Kind::ModelExchange,
             Kinds::WithEvents => kind == Kind::ModelExchange || event_mode,
             Kinds::EventModeOfCoSimulation => event_mode,
+            Kinds::Structural => structural,
             Kinds::None => false,
         };
         if for_this_kind && self.allowed.contains(&mode) {
@@ -208,6 +227,11 @@ pub fn next(call: &Call, kind: Kind, mode: Mode) -> Mode {
         Call::ExitInitialization | Call::EnterEvent => Event,
         Call::EnterContinuousTime => ContinuousTime,
         Call::EnterStep => Step,
+        Call::EnterConfiguration if mode == Instantiated => Configuration,
+        Call::EnterConfiguration => Reconfiguration,
+        Call::ExitConfiguration if mode == Configuration => Instantiated,
+        Call::ExitConfiguration if kind == Kind::ModelExchange => Event,
+        Call::ExitConfiguration => Step,
         Call::Terminate => Terminated,
         Call::Reset => Instantiated,
         _ => mode,

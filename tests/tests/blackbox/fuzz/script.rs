@@ -159,6 +159,7 @@ impl Script<'_> {
     /// Variables of one type.
     fn access(&self, u: &mut Unstructured<'_>, fits: impl Fn(&Variable) -> bool) -> Result<Access> {
         let variables = &self.description.variables;
+        let fits = |v: &Variable| v.data_type != DataType::Clock && fits(v);
         let fitting: Vec<&Variable> = variables.iter().filter(|v| fits(v)).collect();
         let mut data_type = if fitting.is_empty() { DataType::Float64 } else { u.choose(&fitting)?.data_type };
         if rarely(u)? {
