@@ -49,6 +49,22 @@ def test_archive_holds_what_an_fmu_needs(fmu):
                 assert min(struct.unpack(">II", data[16:24])) >= 32
 
 
+def test_licences_of_what_is_linked_are_there(fmu):
+    """Crates that every FMU is made with are named with their licence and its text; tools of the build are not."""
+    with zipfile.ZipFile(fmu.path) as archive:
+        text = archive.read("documentation/licenses/third-party.txt").decode("utf-8")
+        standard_library = archive.read("documentation/licenses/rust-standard-library.html").decode("utf-8")
+    listed, *texts = text.split("=" * 80)
+    crates = {line.split()[0] for line in listed.splitlines() if line.startswith("  ")}
+    assert {"postcard", "quick-xml", "serde"} <= crates
+    assert not crates & {"syn", "quote", "serde_derive", "cc"}
+    for crate in crates - {"the"}:
+        assert any(f" of {crate} " in part for part in texts), crate
+    assert any("Permission is hereby granted" in part for part in texts)
+    assert any("Apache License" in part for part in texts)
+    assert "The Rust Standard Library" in standard_library
+
+
 def test_documentation_is_a_page_of_its_own(fmu):
     """Names the model, has text, and loads nothing from elsewhere."""
     with zipfile.ZipFile(fmu.path) as archive:

@@ -31,8 +31,8 @@ pub struct Contents<'a> {
     pub parts: &'a Parts,
     /// The library.
     pub binary: &'a [u8],
-    /// The licences.
-    pub license: Option<&'a str>,
+    /// Files for `documentation/licenses`.
+    pub licenses: &'a [(&'static str, String)],
 }
 
 /// Writes the archive, by way of a temporary file: nobody ever sees half of one.
@@ -60,7 +60,7 @@ fn readable_by_all(file: &std::fs::File) -> std::io::Result<()> {
 
 /// Names and contents, in the order in which they are packed: the description first, where a reader looks for it.
 fn entries(contents: &Contents) -> Result<Vec<(String, Vec<u8>)>, Error> {
-    let Contents { version, name, description, parts, binary, license } = *contents;
+    let Contents { version, name, description, parts, binary, licenses } = *contents;
     let page = page::page(name, &parts.documentation);
     let svg = parts.icon.as_bytes();
     let mut entries: Vec<(String, Vec<u8>)> = Vec::new();
@@ -81,8 +81,8 @@ fn entries(contents: &Contents) -> Result<Vec<(String, Vec<u8>)>, Error> {
         }
     }
     add("documentation/index.html", page.as_bytes());
-    if let Some(text) = license {
-        add("documentation/licenses/license.txt", text.as_bytes());
+    for (name, text) in licenses {
+        add(&format!("documentation/licenses/{name}"), text.as_bytes());
     }
     add(&binary_name, binary);
     Ok(entries)
@@ -124,7 +124,9 @@ fn platform(version: FmiVersion) -> Result<&'static str, Error> {
 #[cfg(test)]
 mod tests {
     use std::io::{Cursor, Read};
+    use std::sync::LazyLock;
 
+    use super::super::licenses::Files;
     use super::*;
 
     fn parts() -> Parts {
@@ -139,8 +141,10 @@ mod tests {
         }
     }
 
+    static LICENSES: LazyLock<Files> = LazyLock::new(|| vec![("license.txt", "licence".to_owned())]);
+
     fn contents<'a>(version: FmiVersion, parts: &'a Parts, binary: &'a [u8]) -> Contents<'a> {
-        Contents { version, name: &parts.name, description: &parts.fmi3, parts, binary, license: Some("licence") }
+        Contents { version, name: &parts.name, description: &parts.fmi3, parts, binary, licenses: &LICENSES }
     }
 
     #[test]

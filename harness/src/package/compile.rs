@@ -16,6 +16,9 @@ const PROFILE: &str = "fmu";
 /// Separates flags in `CARGO_ENCODED_RUSTFLAGS`.
 const SEPARATOR: char = '\x1f';
 
+/// Cargo with zig as the linker.
+pub const ZIGBUILD: &str = "cargo-zigbuild";
+
 /// The version of the GNU C library that portable libraries make do with.
 const GLIBC: &str = "2.28";
 
@@ -77,24 +80,28 @@ fn builder(portable: bool) -> Result<Command, Error> {
     if portable {
         return zigbuild();
     }
-    let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    let mut command = Command::new(cargo());
     command.arg("build");
     Ok(command)
 }
 
+/// Cargo: the one that runs us, if one does.
+pub fn cargo() -> OsString {
+    std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
+}
+
 /// Cargo with zig as the linker: zig knows which symbols each version of the C library has.
 fn zigbuild() -> Result<Command, Error> {
-    const PROGRAM: &str = "cargo-zigbuild";
     use std::env::consts::{ARCH, OS};
     if OS != "linux" {
         return Err(Error::PortableElsewhere(OS));
     }
     // Asks the tool for zig's compiler: both are there, or one message says what to do.
-    let asked = Command::new(PROGRAM).args(["zig", "cc", "--", "--version"]).stdin(Stdio::null()).output();
+    let asked = Command::new(ZIGBUILD).args(["zig", "cc", "--", "--version"]).stdin(Stdio::null()).output();
     if !asked.is_ok_and(|answer| answer.status.success()) {
         return Err(Error::NoZig);
     }
-    let mut command = Command::new(PROGRAM);
+    let mut command = Command::new(ZIGBUILD);
     command.args(["zigbuild", "--target", &format!("{ARCH}-unknown-linux-gnu.{GLIBC}")]);
     Ok(command)
 }

@@ -46,6 +46,26 @@ pub enum Error {
     /// A portable build is asked for where there is none.
     #[error("a portable build is for Linux; on {0}, build without --portable")]
     PortableElsewhere(&'static str),
+    /// A tool that was asked for something failed.
+    #[error("{command} failed: {said}")]
+    Tool {
+        /// The command.
+        command: String,
+        /// What it said.
+        said: String,
+    },
+    /// Something linked into an FMU brings no text of its licence.
+    #[error(
+        "no licence text for {of} in {}: an FMU that holds it must not be passed on without; \
+         use another crate, or a release of it that brings its licence",
+        folder.display()
+    )]
+    NoLicense {
+        /// What it is.
+        of: String,
+        /// Where the text was looked for.
+        folder: PathBuf,
+    },
     /// Cargo's answer cannot be read.
     #[error("cannot understand cargo's messages")]
     Messages(#[source] std::io::Error),

@@ -9,6 +9,7 @@ mod compile;
 mod describe;
 mod error;
 mod icon;
+mod licenses;
 mod page;
 mod workspace;
 
@@ -91,7 +92,7 @@ pub fn build(options: &Options, mut progress: impl FnMut(&str)) -> Result<Built,
         None => target_dir.join("fmus"),
     };
     let libraries = compile::compile(&workspace, &crates, &target_dir, options.portable)?;
-    let license = workspace.license()?;
+    let licenses = licenses::Licenses::find(&workspace, options.portable)?;
     let mut built =
         Built { workspace: workspace.root.clone(), output_dir, packages: Vec::new(), with_local_paths: Vec::new() };
     for (krate, library) in crates.iter().zip(libraries) {
@@ -101,10 +102,11 @@ pub fn build(options: &Options, mut progress: impl FnMut(&str)) -> Result<Built,
         if compile::tells_where_it_was_built(&binary, &workspace) {
             built.with_local_paths.push(parts.name.clone());
         }
+        let licenses = licenses.of(krate)?;
         let write = |version, name: &str, description: &str| {
             let path = built.output_dir.join(folder(version)).join(format!("{name}.fmu"));
-            let (parts, binary, license) = (&parts, &*binary, license.as_deref());
-            let contents = archive::Contents { version, name, description, parts, binary, license };
+            let (parts, binary, licenses) = (&parts, &*binary, &*licenses);
+            let contents = archive::Contents { version, name, description, parts, binary, licenses };
             archive::write(&path, &contents).map(|()| path)
         };
         let clocked = |description: &String| write(FmiVersion::V3, &parts.clocked_name(), description);

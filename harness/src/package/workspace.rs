@@ -78,16 +78,6 @@ impl Workspace {
         };
         Ok(self.crates.iter().filter(wanted).cloned().collect())
     }
-
-    /// The licences that every FMU carries, as one text.
-    pub fn license(&self) -> Result<Option<String>, Error> {
-        let read = |name: &str| {
-            let path = self.root.join(name);
-            if path.is_file() { std::fs::read_to_string(&path).map(Some).map_err(Error::io(&path)) } else { Ok(None) }
-        };
-        let (Some(mit), Some(apache)) = (read("LICENSE-MIT")?, read("LICENSE-APACHE")?) else { return Ok(None) };
-        Ok(Some(format!("Licensed under either of the following, at your option.\n\n{mit}\n\n{apache}")))
-    }
 }
 
 /// `BoomCrane`, `boom-crane` and `boom_crane` mean the same FMU.
