@@ -33,12 +33,25 @@ pub struct Arguments {
     /// zig (`pip install cargo-zigbuild ziglang`)
     #[arg(long)]
     portable: bool,
+    /// Build nothing, but add to an FMU the binaries of the same model in FROM: an FMU, or the folder of an unpacked
+    /// one, that was built on another platform. Each is checked: its format, its functions, its variables' texts
+    #[arg(long, num_args = 2, value_names = ["FMU", "FROM"])]
+    #[arg(conflicts_with_all = ["names", "workspace", "target_dir", "output_dir", "test_fmus", "portable", "json"])]
+    add_platform: Option<Vec<PathBuf>>,
     /// Print the result as JSON
     #[arg(long)]
     json: bool,
 }
 
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    if let Some([fmu, from]) = arguments.add_platform.as_deref() {
+        let added = package::add_platforms(fmu, from)?;
+        if added.is_empty() {
+            console::note(format_args!("{} has all of them already", fmu.display()));
+        }
+        added.iter().try_for_each(|name| console::print(format_args!("{}: {name}", fmu.display())))?;
+        return Ok(Outcome::Done);
+    }
     let built = build(Options {
         workspace: arguments.workspace.clone(),
         target_dir: arguments.target_dir.clone(),

@@ -3,6 +3,7 @@
 //! Entries come in a fixed order with a fixed date, fixed permissions and one method of compression, so that equal
 //! contents give equal bytes.
 
+use std::env::consts::{ARCH, OS};
 use std::io::{Seek, Write};
 use std::path::Path;
 
@@ -13,6 +14,7 @@ use zip::write::{SimpleFileOptions, ZipWriter};
 use zip::{CompressionMethod, DateTime};
 
 use super::describe::Parts;
+use super::platform::Platform;
 use super::{Error, icon, page};
 
 /// The picture of every terminal, in SVG.
@@ -35,13 +37,12 @@ pub struct Contents<'a> {
     pub licenses: &'a [(&'static str, String)],
 }
 
-/// Writes the archive, by way of a temporary file: nobody ever sees half of one.
-pub fn write(path: &Path, contents: &Contents) -> Result<(), Error> {
-    let entries = entries(contents)?;
+/// Writes an archive of these entries, by way of a temporary file: nobody ever sees half of one.
+pub fn write(path: &Path, entries: &[(String, Vec<u8>)]) -> Result<(), Error> {
     let folder = path.parent().unwrap_or(Path::new("."));
     std::fs::create_dir_all(folder).map_err(Error::io(folder))?;
     let mut file = tempfile::Builder::new().suffix(".fmu").tempfile_in(folder).map_err(Error::io(folder))?;
-    pack(file.as_file_mut(), &entries).map_err(|source| Error::Zip { path: path.to_owned(), source })?;
+    pack(file.as_file_mut(), entries).map_err(|source| Error::Zip { path: path.to_owned(), source })?;
     readable_by_all(file.as_file()).map_err(Error::io(path))?;
     file.persist(path).map_err(|e| Error::io(path)(e.error))?;
     Ok(())
@@ -59,13 +60,14 @@ fn readable_by_all(file: &std::fs::File) -> std::io::Result<()> {
 }
 
 /// Names and contents, in the order in which they are packed: the description first, where a reader looks for it.
-fn entries(contents: &Contents) -> Result<Vec<(String, Vec<u8>)>, Error> {
+pub fn entries(contents: &Contents) -> Result<Vec<(String, Vec<u8>)>, Error> {
     let Contents { version, name, description, parts, binary, licenses } = *contents;
     let page = page::page(name, &parts.documentation);
     let svg = parts.icon.as_bytes();
     let mut entries: Vec<(String, Vec<u8>)> = Vec::new();
     let mut add = |name: &str, bytes: &[u8]| entries.push((name.to_owned(), bytes.to_owned()));
-    let binary_name = format!("binaries/{}/{}.{}", platform(version)?, name, std::env::consts::DLL_EXTENSION);
+    let platform = Platform::here().ok_or(Error::Platform { arch: ARCH, os: OS })?;
+    let binary_name = format!("binaries/{}/{name}.{}", platform.name(version), platform.extension);
     add("modelDescription.xml", description.as_bytes());
     match version {
         FmiVersion::V2 => add("model.png", &icon::png(&parts.icon, name)?),
@@ -101,24 +103,6 @@ fn pack<W: Write + Seek>(writer: W, entries: &[(String, Vec<u8>)]) -> zip::resul
     }
     zip.finish()?;
     Ok(())
-}
-
-/// What each version calls the platform this is compiled for.
-fn platform(version: FmiVersion) -> Result<&'static str, Error> {
-    use std::env::consts::{ARCH, OS};
-    Ok(match (version, ARCH, OS) {
-        (FmiVersion::V2, "x86_64", "linux") => "linux64",
-        (FmiVersion::V2, "x86_64", "windows") => "win64",
-        (FmiVersion::V2, "x86_64", "macos") => "darwin64",
-        // Since 2.0.4, other platforms have their FMI 3.0 names in FMI 2.0 too.
-        (FmiVersion::V3, "x86_64", "linux") => "x86_64-linux",
-        (FmiVersion::V3, "x86_64", "windows") => "x86_64-windows",
-        (FmiVersion::V3, "x86_64", "macos") => "x86_64-darwin",
-        (_, "aarch64", "linux") => "aarch64-linux",
-        (_, "aarch64", "windows") => "aarch64-windows",
-        (_, "aarch64", "macos") => "aarch64-darwin",
-        (_, arch, os) => return Err(Error::Platform { arch, os }),
-    })
 }
 
 #[cfg(test)]

@@ -46,6 +46,27 @@ pub enum Error {
     /// A portable build is asked for where there is none.
     #[error("a portable build is for Linux; on {0}, build without --portable")]
     PortableElsewhere(&'static str),
+    /// An FMU that binaries are to be added to, or taken from, cannot be used.
+    #[error("{0}")]
+    Fmu(#[source] Box<crate::Error>),
+    /// There are no binaries to add.
+    #[error("{} has no binary named `{name}` for a platform that FMI has a name for: {known}", folder.display())]
+    NothingToAdd {
+        /// The folder that was looked into.
+        folder: PathBuf,
+        /// What the binaries would be named.
+        name: String,
+        /// The platforms.
+        known: String,
+    },
+    /// A binary that is to be added does not fit.
+    #[error("{} is not added: {problem}", path.display())]
+    Foreign {
+        /// The binary.
+        path: PathBuf,
+        /// Why not.
+        problem: String,
+    },
     /// A tool that was asked for something failed.
     #[error("{command} failed: {said}")]
     Tool {
@@ -124,6 +145,11 @@ impl Error {
     pub(super) fn io(path: &Path) -> impl FnOnce(std::io::Error) -> Self + use<> {
         let path = path.to_owned();
         move |source| Self::Io { path, source }
+    }
+
+    /// For `map_err`: an FMU that cannot be used.
+    pub(super) fn fmu(error: crate::Error) -> Self {
+        Self::Fmu(Box::new(error))
     }
 
     /// An answer of a library that cannot be used.

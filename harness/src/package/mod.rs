@@ -10,7 +10,9 @@ mod describe;
 mod error;
 mod icon;
 mod licenses;
+mod merge;
 mod page;
+mod platform;
 mod workspace;
 
 use std::path::{Path, PathBuf};
@@ -18,6 +20,7 @@ use std::path::{Path, PathBuf};
 use swayless_modeldesc::types::FmiVersion;
 
 pub use error::Error;
+pub use merge::add_platforms;
 
 /// What to build, from where and to where.
 #[derive(Debug, Clone, Default)]
@@ -107,7 +110,7 @@ pub fn build(options: &Options, mut progress: impl FnMut(&str)) -> Result<Built,
             let path = built.output_dir.join(folder(version)).join(format!("{name}.fmu"));
             let (parts, binary, licenses) = (&parts, &*binary, &*licenses);
             let contents = archive::Contents { version, name, description, parts, binary, licenses };
-            archive::write(&path, &contents).map(|()| path)
+            archive::write(&path, &archive::entries(&contents)?).map(|()| path)
         };
         let clocked = |description: &String| write(FmiVersion::V3, &parts.clocked_name(), description);
         built.packages.push(Package {

@@ -7,6 +7,7 @@ mod instance;
 mod libraries;
 mod mistakes;
 mod packaged;
+mod platforms;
 #[cfg(target_os = "linux")]
 mod portable;
 mod python;
