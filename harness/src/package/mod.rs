@@ -13,6 +13,7 @@ mod licenses;
 mod merge;
 mod page;
 mod platform;
+mod reference;
 mod workspace;
 
 use std::path::{Path, PathBuf};
@@ -106,16 +107,29 @@ pub fn build(options: &Options, mut progress: impl FnMut(&str)) -> Result<Built,
             built.with_local_paths.push(parts.name.clone());
         }
         let licenses = licenses.of(krate)?;
-        let write = |version, name: &str, description: &str| {
-            let path = built.output_dir.join(folder(version)).join(format!("{name}.fmu"));
+        let entries = |version, name: &str, description: &str| {
             let (parts, binary, licenses) = (&parts, &*binary, &*licenses);
-            let contents = archive::Contents { version, name, description, parts, binary, licenses };
-            archive::write(&path, &archive::entries(&contents)?).map(|()| path)
+            archive::entries(&archive::Contents { version, name, description, parts, binary, licenses })
         };
-        let clocked = |description: &String| write(FmiVersion::V3, &parts.clocked_name(), description);
+        // The run takes an FMU that can be imported; both versions give the same bits, so one run serves both.
+        let reference = {
+            let draft = tempfile::tempdir().map_err(Error::io(&std::env::temp_dir()))?;
+            let path = draft.path().join("draft.fmu");
+            archive::write(&path, &entries(FmiVersion::V3, &parts.name, &parts.fmi3)?)?;
+            reference::entries(&path)?
+        };
+        let write = |version, name: &str, description: &str, reference: &[(String, Vec<u8>)]| {
+            let path = built.output_dir.join(folder(version)).join(format!("{name}.fmu"));
+            let mut entries = entries(version, name, description)?;
+            // The binary stays last.
+            let binary = entries.len() - 1;
+            entries.splice(binary..binary, reference.iter().cloned());
+            archive::write(&path, &entries).map(|()| path)
+        };
+        let clocked = |description: &String| write(FmiVersion::V3, &parts.clocked_name(), description, &[]);
         built.packages.push(Package {
-            fmi2: write(FmiVersion::V2, &parts.name, &parts.fmi2)?,
-            fmi3: write(FmiVersion::V3, &parts.name, &parts.fmi3)?,
+            fmi2: write(FmiVersion::V2, &parts.name, &parts.fmi2, &reference)?,
+            fmi3: write(FmiVersion::V3, &parts.name, &parts.fmi3, &reference)?,
             clocked: parts.clocked.as_ref().map(clocked).transpose()?,
             description: krate.description.clone(),
             name: parts.name,
