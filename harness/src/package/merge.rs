@@ -4,7 +4,7 @@
 //! the texts of the FMU's variables. That the variables' numbers are the same is checked by the library itself: it
 //! refuses to be instantiated with a token that is not its own.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashSet};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
@@ -113,10 +113,13 @@ fn check(bytes: &[u8], platform: &Platform, description: &ModelDescription) -> R
         return Err(format!("it does not export `{first}`{}", others(missing.len())));
     }
     let holds = |text: &str| text.is_empty() || occurs(bytes, text.as_bytes());
-    // The exporter makes up the texts of time and of derivatives when it is asked; all others stand in the library.
+    // The exporter makes up the texts of time, derivatives and second names (FMI 2.0 tells them by the value reference)
+    // when it is asked; all others stand in the library.
+    let mut seen = HashSet::new();
     let lacking: Vec<_> = description
         .variables
         .iter()
+        .filter(|v| seen.insert((v.data_type, v.value_reference)))
         .filter(|v| v.causality != Causality::Independent && v.derivative.is_none())
         .filter(|v| !v.description.as_deref().is_none_or(holds))
         .map(|v| v.name.as_str())

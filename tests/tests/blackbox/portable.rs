@@ -7,15 +7,12 @@ use std::sync::LazyLock;
 use object::Endianness;
 use object::read::elf::ElfFile64;
 
-use crate::libraries::{C_LIBRARY, check_exports, library, needed};
+use crate::libraries::{C_LIBRARY, SIZE, check_exports, library, needed};
 use crate::packaged::{self, locked, repository, target};
 use crate::python;
 
 /// The newest version of the GNU C library whose symbols are needed: that of Debian 10 and RHEL 8.
 const GLIBC: [u32; 2] = [2, 28];
-
-/// What a stripped library may take.
-const SIZE: usize = 1 << 20;
 
 /// `swayless build --portable` with the tools of the Python environment.
 fn build(workspace: &Path, target: &Path, output: &Path, more: &[&str]) -> Output {
