@@ -11,9 +11,12 @@ pub const SYMBOL: &str = "swayless_describe";
 /// Takes a piece of the answer: the context given, its bytes and their number. The bytes are valid during the call.
 pub type Sink = unsafe extern "C" fn(*mut c_void, *const u8, usize);
 
-/// `swayless_describe(item, sink, context)`: hands the item to the sink in one call and returns 0; an unknown item or
-/// a NULL returns 1 without a call.
+/// `swayless_describe(item, sink, context)`: hands the item to the sink in one call and returns 0. An unknown item or a
+/// NULL returns 1 without a call; for an item that cannot be made, the sink gets the reason and 2 is returned.
 pub type Describe = unsafe extern "C" fn(*const c_char, Option<Sink>, *mut c_void) -> c_int;
+
+/// What is returned for an item that cannot be made.
+pub const CANNOT: c_int = 2;
 
 /// `modelDescription.xml` for FMI 2.0.
 pub const FMI2: &core::ffi::CStr = c"fmi2/modelDescription.xml";

@@ -49,10 +49,12 @@ pub fn describe(path: &Path) -> Result<Parts, Error> {
         // SAFETY: `item` ends in NUL; `collect` fits the context, a vector that outlives the call and is used by
         // nothing else during it.
         let status = unsafe { symbol(item.as_ptr(), Some(collect), (&raw mut answer).cast()) };
-        if status != 0 {
-            return Ok(None);
+        let text = String::from_utf8(answer).map_err(|_| Error::bad_answer(path, item, "is not UTF-8"))?;
+        match status {
+            0 => Ok(Some(text)),
+            describe::CANNOT => Err(Error::bad_answer(path, item, format!("cannot be made: {text}"))),
+            _ => Ok(None),
         }
-        String::from_utf8(answer).map(Some).map_err(|_| Error::bad_answer(path, item, "is not UTF-8"))
     };
     let ask = |item: &CStr| {
         let none = || Error::NoAnswer { path: path.to_owned(), item: item.to_string_lossy().into_owned() };

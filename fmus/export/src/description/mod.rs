@@ -2,6 +2,7 @@
 
 mod clocks;
 mod definitions;
+pub mod names;
 mod structure;
 pub mod terminals;
 mod variables;

@@ -13,3 +13,4 @@ mod newcomer;
 mod refusals;
 mod state;
 mod values;
+mod wrong_names;
