@@ -4,6 +4,7 @@ import re
 import struct
 import xml.etree.ElementTree as xml
 import zipfile
+from urllib.parse import unquote
 
 import platform
 
@@ -66,11 +67,19 @@ def test_licences_of_what_is_linked_are_there(fmu):
 
 
 def test_documentation_is_a_page_of_its_own(fmu):
-    """Names the model, has text, and loads nothing from elsewhere."""
+    """Names the model, has its icon and text, and loads nothing from elsewhere."""
     with zipfile.ZipFile(fmu.path) as archive:
         page = archive.read("documentation/index.html").decode("utf-8")
+        if not fmu.is_fmi2:
+            icon = archive.read("terminalsAndIcons/icon.svg").decode("utf-8")
+            assert unquote(re.search('src="data:image/svg[+]xml,([^"]*)"', page)[1]) == icon
     assert page.lstrip().lower().startswith("<!doctype html>")
     assert fmu.description.modelName in page
+    # FMUs for tests have a short page; a page with equations tells every variable that a user meets.
+    if "Equations</h2>" in page:
+        met = ("input", "output", "parameter")
+        unnamed = [v.name for v in fmu.description.modelVariables if v.causality in met and v.name not in page]
+        assert unnamed == []
     assert not re.search(r"(?:src|@import)\s*[=(]?\s*[\"']?https?:", page)
 
 

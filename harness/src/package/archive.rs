@@ -62,7 +62,7 @@ fn readable_by_all(file: &std::fs::File) -> std::io::Result<()> {
 /// Names and contents, in the order in which they are packed: the description first, where a reader looks for it.
 pub fn entries(contents: &Contents) -> Result<Vec<(String, Vec<u8>)>, Error> {
     let Contents { version, name, description, parts, binary, licenses } = *contents;
-    let page = page::page(name, &parts.documentation);
+    let page = page::page(name, &parts.documentation, &parts.icon);
     let svg = parts.icon.as_bytes();
     let mut entries: Vec<(String, Vec<u8>)> = Vec::new();
     let mut add = |name: &str, bytes: &[u8]| entries.push((name.to_owned(), bytes.to_owned()));
