@@ -74,19 +74,40 @@ impl<'a> Player<'a> {
         self.subject.description.fmi_version
     }
 
+    /// Writes down what has been played, for a call that does not come back.
+    fn keep_trace(&self) {
+        if let Some(file) = std::env::var_os("SWAYLESS_FUZZ_TRACE") {
+            std::fs::write(file, self.trace()).expect("a file to write to");
+        }
+    }
+
     /// What has been played.
     pub fn trace(&self) -> String {
         format!("{} {:?}:\n  {}", self.subject.name, self.kind, self.trace.join("\n  "))
     }
 
-    /// Goes on from a serialized state of unknown origin, if the instance takes it.
-    pub fn start_from(&mut self, bytes: Vec<u8>) -> Result<(), String> {
-        for call in [Call::Deserialize(0, bytes), Call::SetState(0)] {
+    /// Goes on from a serialized state of unknown origin, if the instance takes it; most likely it is at this time.
+    pub fn start_from(&mut self, bytes: Vec<u8>, time: f64) -> Result<(), String> {
+        let inputs = self.subject.description.variables.iter();
+        let inputs = inputs.filter(|v| v.causality == Causality::Input && v.data_type == DataType::Float64);
+        let inputs = all(&inputs.collect::<Vec<_>>());
+        let ones = Values::Floats(vec![1.0; inputs.count]);
+        let mut calls = vec![Call::Deserialize(0, bytes), Call::SetState(0), Call::FreeState(0)];
+        // An event, and what follows from it.
+        calls.extend(match self.kind {
+            Kind::ModelExchange => {
+                vec![Call::EnterEvent, Call::Set(inputs, ones), Call::Update, Call::EnterContinuousTime]
+            }
+            _ => vec![Call::Set(inputs, ones), Call::DoStep { time, size: 0.1 }],
+        });
+        let time = if self.kind == Kind::ModelExchange { time } else { time + 0.1 };
+        for call in calls {
             self.trace.push(shortened(&call));
+            self.keep_trace();
             let began = Instant::now();
             let status = self.host.play(&call).ok_or("no function")?.status;
             self.trace.extend(self.host.messages().into_iter().map(|(status, text)| format!("    {status}: {text}")));
-            if ![0, ERROR].contains(&status) || began.elapsed() > LONGEST {
+            if !(0..=ERROR).contains(&status) || began.elapsed() > LONGEST {
                 return Err(format!("status {status} after {:?}", began.elapsed()));
             }
             if status == ERROR {
@@ -94,12 +115,10 @@ impl<'a> Player<'a> {
                 return Ok(());
             }
         }
-        (self.mode, self.lost, self.tame) = (Mode::Step, true, false);
+        (self.mode, self.time, self.lost, self.tame) = (Mode::Step, time, true, false);
         if self.kind == Kind::ModelExchange {
             self.mode = Mode::ContinuousTime;
         }
-        self.saved[0] = None;
-        self.host.play(&Call::FreeState(0));
         Ok(())
     }
 
@@ -150,10 +169,7 @@ impl<'a> Player<'a> {
         let verdict = if self.lost { Verdict::Tolerated } else { self.verdict(rule) };
         let before = (matches!(call, Call::DoStep { .. }) && !self.lost).then(|| self.values()).flatten();
         self.trace.push(format!("{:?}: {}", self.mode, shortened(call)));
-        if let Some(file) = std::env::var_os("SWAYLESS_FUZZ_TRACE") {
-            // For a call that does not come back.
-            std::fs::write(file, self.trace()).expect("a file to write to");
-        }
+        self.keep_trace();
         let began = Instant::now();
         let Some(answer) = self.host.play(call) else { return Ok(()) };
         // Under valgrind, everything takes fifty times as long.
