@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use swayless_modeldesc::problem::{Problem, Severity};
 use swayless_modeldesc::read::read_bytes;
-use swayless_modeldesc::types::{FmiVersion, Interface, ModelDescription};
+use swayless_modeldesc::types::{Causality, FmiVersion, Interface, ModelDescription};
 
 use crate::archive::Unpacked;
 use crate::error::{Error, Result};
@@ -112,23 +112,37 @@ impl Fmu {
             available: self.binaries(),
         })
     }
+}
 
-    /// The co-simulation interface.
-    fn co_simulation(&self) -> Result<&Interface> {
-        let description = &self.description;
-        description.co_simulation.as_ref().ok_or_else(|| {
-            let others = [
-                (description.model_exchange.is_some(), "model exchange"),
-                (description.scheduled_execution.is_some(), "scheduled execution"),
-            ];
-            let offered: Vec<_> = others.iter().filter(|(offered, _)| *offered).map(|&(_, name)| name).collect();
-            Error::NoCoSimulation {
-                path: self.path.clone(),
-                model: description.model_name.clone(),
-                offered: if offered.is_empty() { "nothing".to_owned() } else { offered.join(" and ") },
-            }
-        })
+/// The co-simulation interface of a model that this master can run.
+pub(crate) fn co_simulation<'a>(path: &Path, description: &'a ModelDescription) -> Result<&'a Interface> {
+    let Some(interface) = &description.co_simulation else {
+        let others = [
+            (description.model_exchange.is_some(), "model exchange"),
+            (description.scheduled_execution.is_some(), "scheduled execution"),
+        ];
+        let offered: Vec<_> = others.iter().filter(|(offered, _)| *offered).map(|&(_, name)| name).collect();
+        return Err(Error::NoCoSimulation {
+            path: path.to_owned(),
+            model: description.model_name.clone(),
+            offered: if offered.is_empty() { "nothing".to_owned() } else { offered.join(" and ") },
+        });
+    };
+    let clocks = description.variables.iter().filter(|v| v.clock.is_some() && v.causality == Causality::Input);
+    let clocks: Vec<String> = clocks.map(|clock| format!("`{}`", clock.name)).collect();
+    if !clocks.is_empty() {
+        let (path, model) = (path.to_owned(), description.model_name.clone());
+        let alternative = without_clocks(&path);
+        return Err(Error::Clocked { path, model, clocks, alternative });
     }
+    Ok(interface)
+}
+
+/// The FMU of the same model beside one with clocks, as the packager names both.
+fn without_clocks(path: &Path) -> Option<PathBuf> {
+    let name = path.file_stem()?.to_str()?.strip_suffix("Clocked")?;
+    let beside = path.with_file_name(format!("{name}.fmu"));
+    beside.is_file().then_some(beside)
 }
 
 impl Model for Fmu {
@@ -141,7 +155,7 @@ impl Model for Fmu {
     }
 
     fn instantiate(&self, name: &str, logging: bool) -> Result<Box<dyn Slave>> {
-        let interface = self.co_simulation()?;
+        let interface = co_simulation(&self.path, &self.description)?;
         let once = match interface.can_be_instantiated_only_once_per_process {
             false => None,
             true if self.instantiated.swap(true, Ordering::AcqRel) => {

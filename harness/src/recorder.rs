@@ -70,6 +70,11 @@ pub trait Observer {
         let _ = fraction;
     }
 
+    /// Whether the run shall stop where it is, which is asked after every step.
+    fn stops(&self) -> bool {
+        false
+    }
+
     /// The run has ended well.
     fn end(&mut self) -> Result<()> {
         Ok(())
@@ -99,6 +104,10 @@ impl Observer for Vec<&mut dyn Observer> {
 
     fn progress(&mut self, fraction: f64) {
         self.iter_mut().for_each(|observer| observer.progress(fraction));
+    }
+
+    fn stops(&self) -> bool {
+        self.iter().any(|observer| observer.stops())
     }
 
     fn end(&mut self) -> Result<()> {

@@ -125,6 +125,9 @@ fn step(
             observer.progress(1.0);
             return Ok((index + 1, at));
         }
+        if observer.stops() {
+            return Err(Error::Interrupted { time: next });
+        }
         if (index + 1).is_multiple_of(stride) || index + 1 == clock.steps {
             observer.progress((index + 1) as f64 / clock.steps as f64);
         }

@@ -78,7 +78,9 @@ pub trait Slave {
     /// Sets strings.
     fn set_string(&mut self, references: &[u32], values: &[String]) -> Result<(), Failure>;
 
-    /// Steps from `time` to `time + step_size` (s).
+    /// Steps from `time` to `time + step_size` (s). After Discard the instance is at the failure's
+    /// `last_successful_time`, which in FMI 3.0 is `time`, and can be stepped again from there, with other inputs or a
+    /// shorter step; an instance that does not tell where it is can only be terminated.
     fn do_step(&mut self, time: f64, step_size: f64) -> Result<Step, Failure>;
 
     /// Ends the run; values can still be got.

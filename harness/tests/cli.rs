@@ -1,4 +1,9 @@
 //! The command from outside: what it prints where, and how it exits.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking, its helpers too")]
+
+mod common;
+#[path = "common/pack.rs"]
+mod pack;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -54,6 +59,8 @@ fn wrong_usage_exits_with_2() {
     exits(&["run"], WRONG_USAGE);
     exits(&["run", "x.fmu", "--step-size", "small"], WRONG_USAGE);
     exits(&["run", "x.fmu", "--start-value", "speed"], WRONG_USAGE);
+    let (_, message) = exits(&["run", "x.fmu", "--fmu-dir", "fmus"], WRONG_USAGE);
+    assert!(message.contains("`--fmu-dir`") && message.contains("single FMU"), "{message}");
     let (_, message) = exits(&["build", "BoomCrone"], WRONG_USAGE);
     assert!(message.contains("did you mean `boom-crane`?"), "{message}");
 }
@@ -154,4 +161,38 @@ fn a_broken_archive_is_a_problem_of_the_file() {
     let (stdout, _) = exits(&["validate", path], FOUND_PROBLEMS);
     assert!(stdout.contains("zip archive"), "{stdout}");
     exits(&["run", path], FAILED);
+}
+
+/// Sends SIGINT to a long run; nothing is left of it but whole lines.
+#[cfg(unix)]
+#[test]
+fn an_interrupted_run_leaves_whole_lines_and_no_folders() {
+    let folder = tempfile::tempdir().unwrap();
+    let temporary = folder.path().join("temporary");
+    std::fs::create_dir(&temporary).unwrap();
+    let (fmu, csv) = (folder.path().join("foreign.fmu"), folder.path().join("out.csv"));
+    pack::pack(&common::foreign(swayless_modeldesc::types::FmiVersion::V3), &fmu);
+    let mut run = Command::new(env!("CARGO_BIN_EXE_swayless"))
+        .args(["run", "--stop-time", "1e7", "--step-size", "0.125", "--start-value", "rate=0.2", "-o"])
+        .args([&csv, &fmu])
+        .env("TMPDIR", &temporary)
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    let begin = std::time::Instant::now();
+    let written = || std::fs::metadata(&csv).map_or(0, |file| file.len());
+    while written() == 0 && begin.elapsed().as_secs() < 60 {
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    assert_eq!(std::fs::read_dir(&temporary).unwrap().count(), 1, "the unpacked FMU");
+    assert!(Command::new("kill").args(["-INT", &run.id().to_string()]).status().unwrap().success());
+    assert_eq!(run.wait().unwrap().code(), Some(130));
+    let mut message = String::new();
+    std::io::Read::read_to_string(&mut run.stderr.take().unwrap(), &mut message).unwrap();
+    assert!(message.starts_with("error: interrupted at t = "), "{message}");
+    assert_eq!(std::fs::read_dir(&temporary).unwrap().count(), 0);
+    let text = std::fs::read_to_string(&csv).unwrap();
+    let fields = |line: &str| line.split(',').count();
+    assert!(text.ends_with('\n') && text.lines().count() > 1);
+    assert!(text.lines().all(|line| fields(line) == fields(text.lines().next().unwrap())));
 }

@@ -138,6 +138,50 @@ fn steps_fail_with_the_fmus_own_words() {
 }
 
 #[test]
+fn a_discarded_step_can_be_tried_again() {
+    for version in BOTH {
+        let mut slave = stepping(version);
+        slave.set_float(DataType::Float64, &[0], &[2.0]).unwrap();
+        slave.do_step(0.0, 0.5).unwrap();
+        slave.set_float(DataType::Float64, &[0], &[f64::NAN]).unwrap();
+        let failure = slave.do_step(0.5, 0.5).unwrap_err();
+        assert_eq!((failure.status, failure.last_successful_time), (Status::Discard, Some(0.5)));
+        slave.set_float(DataType::Float64, &[0], &[4.0]).unwrap();
+        assert_eq!(slave.do_step(0.5, 0.25).unwrap(), Step::Completed);
+        let mut x = [0.0];
+        slave.get_float(DataType::Float64, &[1], &mut x).unwrap();
+        assert_eq!(x, [2.0], "2 m/s for 0.5 s, then 4 m/s for 0.25 s");
+    }
+}
+
+#[test]
+fn clocks_that_nobody_ticks_are_told_before_instantiation() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("ForeignClocked.fmu");
+    copy(&foreign(FmiVersion::V3), &path);
+    let file = path.join("modelDescription.xml");
+    let xml = std::fs::read_to_string(&file).unwrap();
+    let with = |causality: &str, interval: &str| {
+        let clock = format!("<Clock name=\"tick\" valueReference=\"77\" causality=\"{causality}\" {interval}/>");
+        let output = if causality == "output" { "<Output valueReference=\"77\" dependencies=\"\"/>" } else { "" };
+        let xml = xml.replace("</ModelVariables>", &format!("{clock}</ModelVariables>"));
+        std::fs::write(&file, xml.replace("<ModelStructure>", &format!("<ModelStructure>{output}"))).unwrap();
+        Fmu::open(&path).unwrap()
+    };
+    let clocked = with("input", "intervalVariability=\"constant\" intervalDecimal=\"0.1\"");
+    let text = clocked.instantiate("it", false).err().unwrap().to_string();
+    assert!(text.contains("leaves its clocks to the importer (`tick`)") && text.ends_with("ticks none"), "{text}");
+    std::fs::write(folder.path().join("Foreign.fmu"), "").unwrap();
+    let mut system = swayless::System::new("clocks");
+    system.add_model("it", std::sync::Arc::new(clocked));
+    let text = system.check().unwrap_err().to_string();
+    assert!(text.contains("Foreign.fmu ticks them itself"), "{text}");
+    // A clock that the FMU ticks harms nobody.
+    let ticking = with("output", "intervalVariability=\"triggered\"");
+    assert!(ticking.instantiate("it", false).is_ok());
+}
+
+#[test]
 fn messages_are_collected_and_paths_are_what_the_standard_says() {
     for (version, scheme) in [(FmiVersion::V2, "file:///"), (FmiVersion::V3, "/")] {
         let fmu = Fmu::open(foreign(version)).unwrap();

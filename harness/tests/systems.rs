@@ -1,4 +1,4 @@
-//! Systems that are wired wrongly fail with everything that is wrong; systems from SSP run.
+//! Systems that are wired wrongly fail with everything that is wrong; values go where they are meant to.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking, its helpers too")]
 
 mod common;
@@ -6,7 +6,6 @@ mod common;
 mod mock;
 
 use std::fs;
-use std::path::Path;
 use std::sync::Arc;
 
 use common::foreign;
@@ -75,6 +74,7 @@ fn everything_wrong_is_said_at_once() {
     system.connect("a.out.switch", "b.in.plain");
     system.connect("a.out.array", "b.in.plain");
     system.connect("a.out.array[3]", "b.in.plain");
+    system.connect("a.out.mass[1]", "b.in.plain");
     system.set_start_value("a.sise", "1");
     let problems = problems(&system);
     let expected = [
@@ -85,7 +85,8 @@ fn everything_wrong_is_said_at_once() {
         "there is no instance `c`; did you mean `a`?",
         "Boolean cannot be connected to Float64",
         "Float64[2] cannot be connected to Float64",
-        "has no variable `out.array[3]`",
+        "has no element `out.array[3]`: the elements of `out.array` are [1] to [2]",
+        "has no element `out.mass[1]`: `out.mass` is no array",
         "has no variable `sise`; did you mean `size`?",
     ];
     for text in expected {
@@ -204,6 +205,54 @@ fn options_that_make_no_sense_are_refused() {
     let options = Options { output_variables: vec!["a.out.mas".to_owned()], ..base };
     let text = simulate(&system, &options, &mut Recording::new()).unwrap_err().to_string();
     assert!(text.contains("did you mean `out.mass`?"), "{text}");
+    let options = Options { output_variables: vec!["out.mass".to_owned()], ..options };
+    let text = simulate(&system, &options, &mut Recording::new()).unwrap_err().to_string();
+    assert!(text.contains("did you mean `a.out.mass` or `b.out.mass`?"), "{text}");
+}
+
+#[test]
+fn what_is_asked_for_twice_is_one_column() {
+    let names = ["a.out.array[2]", "a.out.mass", "a.out.array", "a.out.mass"].map(str::to_owned);
+    let options = Options { output_variables: names.to_vec(), ..Options::default() };
+    let mut recording = Recording::new();
+    simulate(&two(), &options, &mut recording).unwrap();
+    assert_eq!(recording.names, ["a.out.array[2]", "a.out.mass", "a.out.array[1]"]);
+}
+
+#[test]
+fn arrays_are_as_long_as_their_structural_parameter_says() {
+    let variables = r#"
+        <UInt64 name="n" valueReference="0" causality="structuralParameter" variability="fixed" start="3"/>
+        <Float64 name="u" valueReference="1" causality="input" start="1 2 3"><Dimension valueReference="0"/></Float64>
+        <Float64 name="y" valueReference="2" causality="output" initial="exact" start="7 8 9"><Dimension valueReference="0"/></Float64>
+        <Clock name="tick" valueReference="3" causality="output" intervalVariability="triggered"/>"#;
+    let structure = r#"<Output valueReference="2" dependencies=""/><Output valueReference="3" dependencies=""/>"#;
+    let mut system = System::new("arrays");
+    for name in ["a", "b", "c"] {
+        system.add_model(name, mock("Array", variables, structure, |_| {}, rest));
+    }
+    system.connect("a.y", "b.u");
+    system.connect("a.y[3]", "c.u[1]");
+    system.set_start_value("c.u[2]", "5");
+    let run = |system: &System, names: &[&str]| {
+        let output_variables = names.iter().map(|&name| name.to_owned()).collect();
+        let mut recording = Recording::new();
+        simulate(system, &Options { output_variables, ..Options::default() }, &mut recording).map(|_| recording)
+    };
+    let recording = run(&system, &["b.u", "c.u"]).unwrap();
+    let first: Vec<f64> = recording.columns.iter().map(|column| column[0]).collect();
+    assert_eq!(recording.names[3..], ["c.u[1]", "c.u[2]", "c.u[3]"]);
+    assert_eq!(first, [7.0, 8.0, 9.0, 9.0, 5.0, 3.0]);
+    // A clock is nobody's column, and all outputs do without it.
+    assert_eq!(run(&system, &[]).unwrap().names.len(), 9);
+    assert!(run(&system, &["a.tick"]).unwrap_err().to_string().contains("`a.tick` is Clock"));
+    // Arrays of different lengths do not go together.
+    system.set_start_value("b.n", "2");
+    let problems = problems(&system);
+    assert!(
+        problems.len() == 1 && problems[0].contains("Float64[3] cannot be connected to Float64[2]"),
+        "{problems:?}"
+    );
 }
 
 #[test]
@@ -244,162 +293,6 @@ fn a_refused_parameter_is_named_with_the_fmus_words() {
         let text = error.to_string();
         assert!(text.contains("Foreign.x_start = -1 was refused") && text.contains("is below 0"), "{text}");
     }
-}
-
-const NESTED: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
-<ssd:SystemStructureDescription name="nested" version="1.0"
-    xmlns:ssd="http://ssp-standard.org/SSP1/SystemStructureDescription"
-    xmlns:ssc="http://ssp-standard.org/SSP1/SystemStructureCommon"
-    xmlns:ssv="http://ssp-standard.org/SSP1/SystemStructureParameterValues">
-  <ssd:System name="root">
-    <ssd:Connectors>
-      <ssd:Connector name="speed" kind="input"><ssc:Real/></ssd:Connector>
-      <ssd:Connector name="position" kind="output"><ssc:Real/></ssd:Connector>
-    </ssd:Connectors>
-    <ssd:ParameterBindings>
-      <ssd:ParameterBinding>
-        <ssd:ParameterValues>
-          <ssv:ParameterSet name="set" version="1.0"><ssv:Parameters>
-            <ssv:Parameter name="inner.two.x_start"><ssv:Real value="200" unit="cm"/></ssv:Parameter>
-            <ssv:Parameter name="one.label"><ssv:String value="./beside.txt"/></ssv:Parameter>
-          </ssv:Parameters>
-          <ssv:Units><ssc:Unit name="cm"><ssc:BaseUnit m="1" factor="0.01"/></ssc:Unit></ssv:Units></ssv:ParameterSet>
-        </ssd:ParameterValues>
-      </ssd:ParameterBinding>
-    </ssd:ParameterBindings>
-    <ssd:Elements>
-      <ssd:Component name="one" source="one.fmu">
-        <ssd:Connectors>
-          <ssd:Connector name="rate" kind="input"><ssc:Real/></ssd:Connector>
-          <ssd:Connector name="doubled" kind="output"><ssc:Real/></ssd:Connector>
-        </ssd:Connectors>
-      </ssd:Component>
-      <ssd:System name="inner">
-        <ssd:Connectors>
-          <ssd:Connector name="rate_in" kind="input"><ssc:Real/></ssd:Connector>
-          <ssd:Connector name="x_out" kind="output"><ssc:Real/></ssd:Connector>
-        </ssd:Connectors>
-        <ssd:ParameterBindings>
-          <ssd:ParameterBinding prefix="two.">
-            <ssd:ParameterValues>
-              <ssv:ParameterSet name="set" version="1.0"><ssv:Parameters>
-                <ssv:Parameter name="x_start"><ssv:Real value="7"/></ssv:Parameter>
-                <ssv:Parameter name="label"><ssv:String value="inner"/></ssv:Parameter>
-              </ssv:Parameters></ssv:ParameterSet>
-            </ssd:ParameterValues>
-          </ssd:ParameterBinding>
-        </ssd:ParameterBindings>
-        <ssd:Elements>
-          <ssd:Component name="two" source="one.fmu">
-            <ssd:Connectors>
-              <ssd:Connector name="rate" kind="input"><ssc:Real/></ssd:Connector>
-              <ssd:Connector name="x" kind="output"><ssc:Real/></ssd:Connector>
-            </ssd:Connectors>
-          </ssd:Component>
-        </ssd:Elements>
-        <ssd:Connections>
-          <ssd:Connection startElement="two" startConnector="rate" endConnector="rate_in"/>
-          <ssd:Connection startElement="two" startConnector="x" endConnector="x_out"/>
-        </ssd:Connections>
-      </ssd:System>
-    </ssd:Elements>
-    <ssd:Connections>
-      <ssd:Connection startConnector="speed" endElement="one" endConnector="rate"/>
-      <ssd:Connection startElement="one" startConnector="doubled" endElement="inner" endConnector="rate_in">
-        <ssc:LinearTransformation factor="0.5" offset="1"/>
-      </ssd:Connection>
-      <ssd:Connection startElement="inner" startConnector="x_out" endConnector="position"/>
-    </ssd:Connections>
-  </ssd:System>
-  <ssd:DefaultExperiment startTime="0" stopTime="1"/>
-</ssd:SystemStructureDescription>
-"#;
-
-/// Packs a folder into an archive.
-fn pack(folder: &Path, to: &Path) {
-    fn add(writer: &mut zip::ZipWriter<fs::File>, folder: &Path, name: &str) {
-        for entry in fs::read_dir(folder).unwrap().map(Result::unwrap) {
-            let name = format!("{name}{}", entry.file_name().to_str().unwrap());
-            if entry.file_type().unwrap().is_dir() {
-                add(writer, &entry.path(), &format!("{name}/"));
-            } else {
-                writer.start_file(name, zip::write::SimpleFileOptions::default()).unwrap();
-                std::io::Write::write_all(writer, &fs::read(entry.path()).unwrap()).unwrap();
-            }
-        }
-    }
-    let mut writer = zip::ZipWriter::new(fs::File::create(to).unwrap());
-    add(&mut writer, folder, "");
-    writer.finish().unwrap();
-}
-
-#[test]
-fn nested_systems_run_from_a_description_and_from_a_package() {
-    let folder = tempfile::tempdir().unwrap();
-    let files = folder.path().join("files");
-    fs::create_dir(&files).unwrap();
-    pack(&foreign(FmiVersion::V3), &files.join("one.fmu"));
-    let ssd = files.join("SystemStructure.ssd");
-    fs::write(&ssd, NESTED).unwrap();
-    let ssp = folder.path().join("nested.ssp");
-    pack(&files, &ssp);
-    let other = folder.path().join("fmi2");
-    fs::create_dir(&other).unwrap();
-    pack(&foreign(FmiVersion::V2), &other.join("one.fmu"));
-
-    let systems = [System::open(&ssd), System::open(&ssp), System::open_with_fmus(&ssd, &other)];
-    for (mut system, version) in systems.map(Result::unwrap).into_iter().zip(["3.0", "3.0", "2.0"]) {
-        let names: Vec<&str> = system.instances().iter().map(|instance| instance.name.as_str()).collect();
-        assert_eq!(names, ["one", "inner.two"]);
-        let model = &system.instances()[0].model;
-        assert_eq!(model.description().fmi_version.to_string(), version);
-        assert!(Arc::ptr_eq(model, &system.instances()[1].model), "one file is opened once");
-        system.set_input_signals(InputSignals::read("in.csv", b"time,speed\n0,3\n").unwrap());
-        let mut csv = CsvWriter::new("memory", Vec::new());
-        let names = ["position", "one.label", "inner.two.label", "inner.two.rate"].map(str::to_owned);
-        let options = Options { output_variables: names.to_vec(), step_size: Some(0.5), ..Options::default() };
-        simulate(&system, &options, &mut csv).unwrap();
-        let text = String::from_utf8(csv.into_inner().unwrap()).unwrap();
-        let rows: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
-        assert_eq!(rows[0], ["time", "inner.two.x", "one.label", "inner.two.label", "inner.two.rate"]);
-        // 200 cm, then 0.5 s at 0.5 · (2 · 3) + 1 = 4 m/s.
-        assert_eq!([rows[1][1], rows[2][1], rows[3][1]], ["2", "4", "6"]);
-        assert!(rows[1][2].ends_with("beside.txt") && Path::new(rows[1][2]).is_absolute(), "{}", rows[1][2]);
-        assert_eq!((rows[1][3], rows[1][4]), ("inner", "4"));
-    }
-}
-
-#[test]
-fn a_package_takes_nothing_from_outside() {
-    let folder = tempfile::tempdir().unwrap();
-    let files = folder.path().join("files");
-    fs::create_dir(&files).unwrap();
-    let outside = folder.path().join("outside.fmu");
-    pack(&foreign(FmiVersion::V3), &outside);
-    let source = format!("source=\"file://{}\"", outside.display());
-    fs::write(files.join("SystemStructure.ssd"), NESTED.replace("source=\"one.fmu\"", &source)).unwrap();
-    let ssp = folder.path().join("nested.ssp");
-    pack(&files, &ssp);
-    let text = System::open(&ssp).unwrap_err().to_string();
-    assert!(text.contains("lies outside the archive"), "{text}");
-    assert!(System::open(files.join("SystemStructure.ssd")).is_ok());
-}
-
-#[test]
-fn what_is_wrong_with_a_description_has_its_line() {
-    let folder = tempfile::tempdir().unwrap();
-    let ssd = folder.path().join("wrong.ssd");
-    fs::write(&ssd, NESTED).unwrap();
-    // Both components want the file, which is missing once.
-    assert!(matches!(System::open(&ssd), Err(Error::FileNotFound { .. })));
-    fs::write(&ssd, NESTED.replace("endElement=\"one\"", "endElement=\"won\"")).unwrap();
-    let text = System::open(&ssd).unwrap_err().to_string();
-    let line = 1 + NESTED.lines().position(|line| line.contains("endElement=\"one\"")).unwrap();
-    assert!(text.contains(&format!("line {line}: ")) && text.contains("`won`"), "{text}");
-    fs::write(&ssd, &NESTED[..NESTED.len() - 20]).unwrap();
-    assert!(matches!(System::open(&ssd), Err(Error::InvalidDescription { .. })));
-    assert!(matches!(System::open("no/such.ssd"), Err(Error::FileNotFound { .. })));
-    assert!(matches!(System::open("no/such.fmu"), Err(Error::FileNotFound { .. })));
 }
 
 #[test]

@@ -4,6 +4,7 @@ mod build;
 mod console;
 mod demo;
 mod info;
+mod interrupt;
 mod run;
 mod statistics;
 mod validate;
@@ -19,7 +20,8 @@ use clap::{Parser, Subcommand};
     version,
     max_term_width = 100,
     arg_required_else_help = true,
-    after_help = "Exit codes: 0 all well, 1 a build or run failed, 2 wrong usage, 3 validation found problems.\n\
+    after_help = "Exit codes: 0 all well, 1 a build or run failed, 2 wrong usage, 3 validation found problems,\n\
+                  130 interrupted.\n\
                   Results go to stdout, progress and messages to stderr."
 )]
 struct Cli {
@@ -66,15 +68,19 @@ pub fn main() -> ExitCode {
         Err(failure) if console::is_closed_pipe(failure.as_ref()) => ExitCode::SUCCESS,
         Err(failure) => {
             console::error(failure.as_ref());
-            if is_usage(failure.as_ref()) { WRONG_USAGE.into() } else { FAILED.into() }
+            code(failure.as_ref()).into()
         }
     }
 }
 
-fn is_usage(failure: &(dyn std::error::Error + 'static)) -> bool {
-    let library = failure.downcast_ref::<swayless::Error>().is_some_and(swayless::Error::is_usage);
-    let package = failure.downcast_ref().is_some_and(|e| matches!(e, swayless::package::Error::UnknownFmu { .. }));
-    library || package
+/// The exit code for a failure.
+fn code(failure: &(dyn std::error::Error + 'static)) -> u8 {
+    match (failure.downcast_ref::<swayless::Error>(), failure.downcast_ref()) {
+        (Some(swayless::Error::Interrupted { .. }), _) => interrupt::INTERRUPTED,
+        (Some(error), _) if error.is_usage() => WRONG_USAGE,
+        (_, Some(swayless::package::Error::UnknownFmu { .. })) => WRONG_USAGE,
+        _ => FAILED,
+    }
 }
 
 #[cfg(test)]

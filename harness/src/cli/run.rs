@@ -10,6 +10,7 @@ use swayless::{
 };
 
 use super::console::Progress;
+use super::interrupt::Interrupt;
 use super::statistics::Statistics;
 use super::{Failure, Outcome, console};
 
@@ -82,6 +83,7 @@ enum Algorithm {
 }
 
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let mut interrupt = Interrupt::watch();
     let system = system(arguments)?;
     let options = options(arguments);
     let to_stdout = arguments.output_file.as_deref() == Some(Path::new("-"));
@@ -101,7 +103,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
     let mut stdout = to_stdout.then(|| CsvWriter::new("stdout", BufWriter::new(std::io::stdout())));
 
-    let mut observers: Vec<&mut dyn Observer> = vec![&mut progress, &mut statistics];
+    let mut observers: Vec<&mut dyn Observer> = vec![&mut progress, &mut interrupt, &mut statistics];
     observers.extend(recording.as_mut().map(|o| o as &mut dyn Observer));
     observers.extend(file.as_mut().map(|o| o as &mut dyn Observer));
     observers.extend(stdout.as_mut().map(|o| o as &mut dyn Observer));
@@ -145,6 +147,11 @@ impl Observer for FileOfRun<'_> {
 
 fn system(arguments: &Arguments) -> Result<System, Failure> {
     let mut system = match &arguments.fmu_dir {
+        Some(_) if !is_system(&arguments.file) => {
+            let text =
+                "`--fmu-dir` says where the FMUs of a system are; a single FMU is run from the file that is named";
+            return Err(swayless::Error::Option(text.to_owned()).into());
+        }
         Some(folder) => System::open_with_fmus(&arguments.file, folder)?,
         None => System::open(&arguments.file)?,
     };
@@ -161,6 +168,10 @@ fn system(arguments: &Arguments) -> Result<System, Failure> {
         system.set_input_signals(InputSignals::open(path)?);
     }
     Ok(system)
+}
+
+fn is_system(file: &Path) -> bool {
+    file.extension().is_some_and(|e| e.eq_ignore_ascii_case("ssd") || e.eq_ignore_ascii_case("ssp"))
 }
 
 fn options(arguments: &Arguments) -> Options {

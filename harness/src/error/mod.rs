@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use crate::slave::{Failure, LogMessage};
 
 pub use parts::{ArchiveProblem, Suggestion};
-use parts::{at, cycle, list, or_none, said, until};
+use parts::{at, built, cycle, given, instead, list, or_none, said, until};
 
 /// A result whose error is [`Error`] unless said otherwise.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
@@ -18,9 +18,19 @@ pub type Result<T, E = Error> = std::result::Result<T, E>;
 #[non_exhaustive]
 pub enum Error {
     /// A file is not there.
-    #[error("there is no file {}; check the path (FMUs are built with `swayless build`)", path.display())]
+    #[error("there is no file {}; check the path{}", path.display(), built(path))]
     FileNotFound {
         /// The file asked for.
+        path: PathBuf,
+    },
+    /// A file that a document names is not there.
+    #[error("{place}: {what}: there is no file {}; check its source{}", path.display(), built(path))]
+    SourceNotFound {
+        /// The document and its line.
+        place: String,
+        /// What names the file.
+        what: String,
+        /// The file.
         path: PathBuf,
     },
     /// A file cannot be read or written.
@@ -64,6 +74,21 @@ pub enum Error {
         model: String,
         /// What it offers.
         offered: String,
+    },
+    /// An FMU has clocks that somebody else must tick.
+    #[error(
+        "{}: `{model}` leaves its clocks to the importer ({}), and this master ticks none{}",
+        path.display(), clocks.join(", "), instead(alternative)
+    )]
+    Clocked {
+        /// The FMU.
+        path: PathBuf,
+        /// `modelName`.
+        model: String,
+        /// Its input clocks.
+        clocks: Vec<String>,
+        /// An FMU beside it that ticks by itself.
+        alternative: Option<PathBuf>,
     },
     /// An FMU has no binary for this platform.
     #[error(
@@ -148,6 +173,18 @@ pub enum Error {
         /// A name that was perhaps meant.
         suggestion: Suggestion,
     },
+    /// An array has no such element, or what is indexed is no array.
+    #[error("{place}: {of} has no element `{name}`: {reason}")]
+    UnknownElement {
+        /// Where it was named.
+        place: String,
+        /// What it was looked for in.
+        of: String,
+        /// The element as written.
+        name: String,
+        /// Which elements there are.
+        reason: String,
+    },
     /// A connection does not lead from an output to an input.
     #[error("connection {from} → {to}: `{wrong}` is {causality}, but a connection leads from an output to an input")]
     Direction {
@@ -214,8 +251,10 @@ pub enum Error {
         time: f64,
     },
     /// A start value does not fit its variable.
-    #[error("start value {variable} = {value}: {reason}")]
+    #[error("{}start value {variable} = {value}: {reason}", given(place))]
     StartValue {
+        /// The file and line where it was given, if in one.
+        place: Option<String>,
         /// The variable.
         variable: String,
         /// The value as given.
@@ -224,8 +263,13 @@ pub enum Error {
         reason: String,
     },
     /// An FMU refused a start value.
-    #[error("{variable} = {value} was refused by the FMU ({}){}", failure.summary(), said(&failure.messages))]
+    #[error(
+        "{}{variable} = {value} was refused by the FMU ({}){}",
+        given(place), failure.summary(), said(&failure.messages)
+    )]
     Refused {
+        /// The file and line where it was given, if in one.
+        place: Option<String>,
         /// The variable.
         variable: String,
         /// The value.
@@ -246,7 +290,7 @@ pub enum Error {
     /// A step failed.
     #[error(
         "`{instance}` failed to step from t = {time} s by {step_size} s: {}{}{}",
-        failure.summary(), until(last_successful_time), said(&failure.messages)
+        failure.summary(), until(failure, last_successful_time), said(&failure.messages)
     )]
     StepFailed {
         /// The instance.
@@ -269,6 +313,12 @@ pub enum Error {
         line: u64,
         /// What is wrong.
         reason: String,
+    },
+    /// An observer stopped the run.
+    #[error("interrupted at t = {time} s; what was written until then is whole")]
+    Interrupted {
+        /// When (s).
+        time: f64,
     },
     /// An option makes no sense.
     #[error("{0}")]

@@ -1,8 +1,9 @@
 //! Parts of error messages.
 
 use std::fmt;
+use std::path::{Path, PathBuf};
 
-use crate::slave::LogMessage;
+use crate::slave::{Failure, LogMessage, Status};
 
 /// What is wrong with an archive.
 #[derive(Debug, thiserror::Error)]
@@ -65,8 +66,31 @@ pub(super) fn at(time: &Option<f64>) -> String {
     time.map(|time| format!(" at t = {time} s")).unwrap_or_default()
 }
 
-pub(super) fn until(time: &Option<f64>) -> String {
-    time.map(|time| format!("; it got as far as t = {time} s")).unwrap_or_default()
+/// How far a step got. After Discard the instance is not broken, and somebody may know a way on.
+pub(super) fn until(failure: &Failure, time: &Option<f64>) -> String {
+    let reached = time.map(|time| format!("; it got as far as t = {time} s")).unwrap_or_default();
+    match failure.status {
+        Status::Discard => format!("{reached}; it may succeed with a smaller --step-size or other inputs"),
+        _ => reached,
+    }
+}
+
+/// The file and line that a message begins with.
+pub(super) fn given(place: &Option<String>) -> String {
+    place.as_ref().map(|place| format!("{place}: ")).unwrap_or_default()
+}
+
+/// Where a file comes from that is not there.
+pub(super) fn built(path: &Path) -> &'static str {
+    match path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("fmu")) {
+        true => " (FMUs are built with `swayless build`)",
+        false => "",
+    }
+}
+
+/// The FMU to take instead of one that cannot be run.
+pub(super) fn instead(alternative: &Option<PathBuf>) -> String {
+    alternative.as_ref().map(|path| format!("; {} ticks them itself", path.display())).unwrap_or_default()
 }
 
 pub(super) fn said(messages: &[LogMessage]) -> String {

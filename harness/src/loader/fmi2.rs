@@ -348,8 +348,11 @@ impl Slave for Instance {
         if matches!(status, fmi2::OK | fmi2::WARNING) {
             return Ok(Step::Completed);
         }
-        self.phase = Phase::StepFailed;
         let (last, terminated) = if status == fmi2::DISCARD { self.discarded() } else { (None, false) };
+        // Who says how far it got can go on from there; of who does not, nobody knows where it is.
+        if terminated || last.is_none() {
+            self.phase = Phase::StepFailed;
+        }
         if terminated {
             return Ok(Step::Terminated(last.unwrap_or(time)));
         }

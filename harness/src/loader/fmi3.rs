@@ -359,13 +359,9 @@ impl Slave for Instance {
                 let failure = Failure::new(name, Status::from(status), text);
                 Err(Failure { last_successful_time: Some(last), ..failure })
             }
-            _ => {
-                self.phase = Phase::StepFailed;
-                self.answer(name, status).map(|()| Step::Completed).map_err(|failure| {
-                    let last_successful_time = (status == fmi3::DISCARD).then_some(last);
-                    Failure { last_successful_time, ..failure }
-                })
-            }
+            // The instance is as it was, whatever else it says, and can step again.
+            fmi3::DISCARD => Err(Failure { last_successful_time: Some(time), ..self.fail(name, status) }),
+            _ => Err(self.fail(name, status)),
         }
     }
 

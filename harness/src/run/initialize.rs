@@ -115,6 +115,7 @@ fn set_start(run: &mut Run, names: &Names, start: &Start) -> Result<()> {
     let batches = batches(names, &[start.port], &mut store, &mut slots, |_| start.values.clone());
     let slave = &mut *run.instances[start.port.instance].slave;
     batches.iter().try_for_each(|batch| batch.set(slave, &store)).map_err(|failure| Error::Refused {
+        place: start.place.clone(),
         variable: names.name(start.port),
         value: start.text.clone(),
         failure: Box::new(failure),

@@ -1,9 +1,11 @@
 //! Gets the recorded variables at a communication point and hands them to the observer.
 
+use std::collections::HashSet;
+
 use super::layout::{Slots, batches, declared_start, whole};
 use super::store::{Batch, Store};
 use super::{Run, failed};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::recorder::{Column, Observer, Value};
 use crate::system::{Kind, Names, Port, System, Wiring};
 
@@ -34,15 +36,20 @@ impl Sampler {
         let behind = |name: &String| system.connectors.get(name).cloned().unwrap_or_else(|| vec![name.clone()]);
         for name in variables.iter().flat_map(behind) {
             match names.find(&name, "output variables") {
+                Ok(port) if Kind::of(names.variable(port).data_type).is_none() => {
+                    let data_type = names.variable(port).data_type;
+                    errors.push(Error::Option(format!(
+                        "output variables: `{name}` is {data_type:?}, which is not recorded"
+                    )));
+                }
                 Ok(port) => ports.push(port),
                 Err(error) => errors.push(error),
             }
         }
-        crate::Error::all(errors)?;
+        Error::all(errors)?;
         if variables.is_empty() {
             ports = names.outputs();
         }
-        ports.retain(|&port| Kind::of(names.variable(port).data_type).is_some());
         let is_input = |port: Port| run.input_slot(&names.name(port));
 
         let (mut got, mut slots) = (Store::default(), Slots::default());
@@ -52,7 +59,10 @@ impl Sampler {
             let of_instance = batches(names, &variables, &mut got, &mut slots, |port| declared_start(names, port));
             all.extend(of_instance.into_iter().map(|batch| (instance, batch)));
         }
-        let scalars: Vec<Port> = ports.iter().flat_map(|&port| scalars(names, port)).collect();
+        // What is named twice, or as an array and as its element, is one column.
+        let mut seen = HashSet::new();
+        let scalars: Vec<Port> =
+            ports.iter().flat_map(|&port| scalars(names, port)).filter(|&port| seen.insert(port)).collect();
         let cells: Vec<Cell> = scalars
             .iter()
             .filter_map(|&port| {

@@ -80,8 +80,8 @@ pub struct StartValue {
     pub unit: Option<String>,
     /// What that unit means, if not what the FMU says.
     pub unit_definition: Option<BaseUnit>,
-    /// Where it was given, for messages.
-    pub place: String,
+    /// The file and line where it was given, if in one, for messages.
+    pub place: Option<String>,
 }
 
 impl System {
@@ -153,8 +153,7 @@ impl System {
     /// Sets a start value; a later one for the same variable replaces an earlier one.
     pub fn set_start_value(&mut self, variable: impl Into<String>, value: impl Into<String>) {
         let (variable, value) = (variable.into(), value.into());
-        let place = format!("start value {variable} = {value}");
-        self.add_start_value(StartValue { variable, value, unit: None, unit_definition: None, place });
+        self.add_start_value(StartValue { variable, value, unit: None, unit_definition: None, place: None });
     }
 
     /// Sets a start value with all it can have.

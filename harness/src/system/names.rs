@@ -119,16 +119,20 @@ impl<'a> Names<'a> {
             let path = self.instances[port.instance].model.path().to_owned();
             return Err(Error::InvalidDescription { path, problems: vec![problem] });
         }
-        found.ok_or_else(|| {
-            let suggestion = Suggestion::find(rest, self.variables[instance].keys().copied());
-            let of = &self.instances[instance];
-            Error::UnknownVariable {
-                place: place.to_owned(),
-                of: format!("`{}` ({})", of.name, of.model.path().display()),
-                name: rest.to_owned(),
-                suggestion,
-            }
-        })
+        found.ok_or_else(|| self.no_variable(instance, rest, place))
+    }
+
+    fn no_variable(&self, instance: usize, name: &str, place: &str) -> Error {
+        let of = &self.instances[instance];
+        let (place, of) = (place.to_owned(), format!("`{}` ({})", of.name, of.model.path().display()));
+        let variables = &self.variables[instance];
+        let array = name.strip_suffix(']').and_then(|name| variables.get_key_value(name.rsplit_once('[')?.0));
+        if let Some((&array, &variable)) = array {
+            let reason = extent(array, self.dimensions(instance, variable));
+            return Error::UnknownElement { place, of, name: name.to_owned(), reason };
+        }
+        let suggestion = Suggestion::find(name, variables.keys().copied());
+        Error::UnknownVariable { place, of, name: name.to_owned(), suggestion }
     }
 
     fn find_in(&self, instance: usize, name: &str) -> Option<Port> {
@@ -147,13 +151,16 @@ impl<'a> Names<'a> {
         })
     }
 
-    fn no_instance(&self, name: &str, place: &str) -> Error {
-        let name = name.split_once('.').map_or(name, |(instance, _)| instance);
-        Error::UnknownInstance {
-            place: place.to_owned(),
-            name: name.to_owned(),
-            suggestion: Suggestion::find(name, self.instances.iter().map(|instance| instance.name.as_str())),
-        }
+    fn no_instance(&self, full: &str, place: &str) -> Error {
+        let name = full.split_once('.').map_or(full, |(instance, _)| instance);
+        // Who gives a variable's name without its instance is told the whole one.
+        let having = (0..self.count()).filter(|&instance| self.find_in(instance, full).is_some());
+        let whole: Vec<String> = having.map(|instance| format!("{}.{full}", self.instances[instance].name)).collect();
+        let suggestion = match whole.is_empty() {
+            true => Suggestion::find(name, self.instances.iter().map(|instance| instance.name.as_str())),
+            false => Suggestion(Some(whole.join("` or `"))),
+        };
+        Error::UnknownInstance { place: place.to_owned(), name: name.to_owned(), suggestion }
     }
 
     /// The number of instances.
@@ -219,5 +226,18 @@ impl<'a> Names<'a> {
             outputs.map(move |(variable, _)| Port { instance, variable, element: None })
         });
         ports.collect()
+    }
+}
+
+/// Which elements an array has.
+fn extent(array: &str, dimensions: &[usize]) -> String {
+    if dimensions.is_empty() {
+        return format!("`{array}` is no array");
+    }
+    let first = vec!["1"; dimensions.len()].join(",");
+    let last = dimensions.iter().map(usize::to_string).collect::<Vec<_>>().join(",");
+    match dimensions.contains(&0) {
+        true => format!("`{array}` is empty"),
+        false => format!("the elements of `{array}` are [{first}] to [{last}]"),
     }
 }

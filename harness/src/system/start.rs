@@ -27,14 +27,25 @@ pub(crate) struct Start {
     pub values: Values,
     /// As it was given, for messages.
     pub text: String,
+    /// The file and line where it, or the last of its elements, was given, if in one.
+    pub place: Option<String>,
 }
 
 /// Turns a start value as it was given into values, and adds it to the earlier ones: elements of one array become one
 /// start value of the whole.
 pub(crate) fn resolve(names: &Names, start: &StartValue, earlier: &mut Vec<Start>) -> Result<()> {
-    let port = names.find(&start.variable, &start.place)?;
+    let place = match &start.place {
+        Some(place) => place.clone(),
+        None => format!("start value {} = {}", start.variable, start.value),
+    };
+    let port = names.find(&start.variable, &place)?;
     let variable = names.variable(port);
-    let wrong = |reason: String| Error::StartValue { variable: names.name(port), value: start.value.clone(), reason };
+    let wrong = |reason: String| Error::StartValue {
+        place: start.place.clone(),
+        variable: names.name(port),
+        value: start.value.clone(),
+        reason,
+    };
     settable(variable).map_err(&wrong)?;
     let size = names.size(port);
     let fields: Vec<&str> = match (size, variable.data_type) {
@@ -76,7 +87,7 @@ pub(crate) fn resolve(names: &Names, start: &StartValue, earlier: &mut Vec<Start
             (replace(declared(variable, length), element, values), start.value.clone())
         }
     };
-    earlier.push(Start { port: whole, values, text });
+    earlier.push(Start { port: whole, values, text, place: start.place.clone() });
     Ok(())
 }
 
@@ -116,6 +127,7 @@ fn unit(names: &Names, port: Port, start: &StartValue) -> Result<Option<(f64, f6
     let definition = start.unit_definition.or_else(|| units::definition(model, from));
     units::conversion((from, definition), (to, units::definition(model, to)), false).map_err(
         |units::Mismatch(reason)| Error::StartValue {
+            place: start.place.clone(),
             variable: names.name(port),
             value: format!("{} {from}", start.value),
             reason: format!("`{from}` cannot be converted to `{to}`: {reason}"),

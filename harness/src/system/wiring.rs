@@ -10,6 +10,7 @@ use super::start::{Start, resolve};
 use super::{Connection, System, units};
 use crate::error::{Error, Result};
 use crate::graph::Flow;
+use crate::importer::co_simulation;
 use crate::signals::InputSignals;
 
 /// A connection between ports of one size.
@@ -55,6 +56,8 @@ impl<'a> Wiring<'a> {
             if system.instances[..index].iter().any(|other| other.name == instance.name) {
                 errors.push(Error::DuplicateInstance { name: instance.name.clone() });
             }
+            let runs = co_simulation(instance.model.path(), instance.model.description());
+            errors.extend(runs.err());
         }
         let mut sources: HashMap<Port, Vec<String>> = HashMap::new();
         let mut links = Vec::new();

@@ -72,10 +72,17 @@ impl Model for Mock {
     }
 
     fn instantiate(&self, name: &str, _logging: bool) -> swayless::Result<Box<dyn Slave>> {
+        use swayless_modeldesc::types::{Dimension, Start};
+        let length = |dimension: &Dimension| match *dimension {
+            Dimension::Fixed(size) => size,
+            Dimension::Variable(reference) => {
+                let sized = self.description.variables.iter().find(|v| v.value_reference == reference).unwrap();
+                let Some(Start::Integer(values)) = &sized.start else { panic!("{} has no size", sized.name) };
+                values[0] as u64
+            }
+        };
         let start = |variable: &swayless_modeldesc::types::Variable| {
-            use swayless_modeldesc::types::{Dimension, Start};
-            let size: u64 =
-                variable.dimensions.iter().map(|d| if let Dimension::Fixed(n) = d { *n } else { 0 }).product();
+            let size: u64 = variable.dimensions.iter().map(length).product();
             let mut values = match &variable.start {
                 Some(Start::Float(values)) => values.clone(),
                 Some(Start::Integer(values)) => values.iter().map(|&v| v as f64).collect(),

@@ -87,7 +87,15 @@ fn greatest(values: &[f64]) -> f64 {
     values.iter().copied().fold(0.0, f64::max)
 }
 
-const HEADER: [&str; 7] = ["Shaper", "Residual swing", "Reduction", "Peak swing", "Delay added", "FMI 3.0", "FMI 2.0"];
+const HEADER: [&str; 7] = [
+    "Shaper",
+    "Residual swing",
+    "Reduction",
+    "Peak swing",
+    "Delay added",
+    "× real time, FMI 3.0",
+    "× real time, FMI 2.0",
+];
 
 impl Results {
     /// For a terminal.
@@ -118,8 +126,8 @@ impl Results {
             "Residual swing: the greatest amplitude after the last drive has stopped. Peak swing: the greatest angle \
              from the vertical."
                 .to_owned(),
-            "Delay added: the shaper's longest duration during the run. FMI 3.0, FMI 2.0: how many times faster than \
-             real time, with recording."
+            "Delay added: the shaper's longest duration during the run. × real time: simulated over computing time, \
+             recording included."
                 .to_owned(),
             versions,
         ]

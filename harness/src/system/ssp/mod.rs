@@ -83,7 +83,8 @@ impl Reader<'_> {
                 Element::System(inner) => self.components(inner, &format!("{name}.")),
                 Element::Component(component) => {
                     let added = self.fmu(component).and_then(|file| self.system.add_fmu(name, file));
-                    added.unwrap_or_else(|error| self.errors.push(error));
+                    let what = format!("component `{}`", component.name);
+                    added.unwrap_or_else(|error| self.errors.push(self.named(component.line, &what, error)));
                 }
             }
         }
@@ -124,6 +125,16 @@ impl Reader<'_> {
     fn wrong(&self, line: usize, text: String) -> Error {
         let at = if line > 0 { format!("line {line}: ") } else { String::new() };
         Error::InvalidDescription { path: self.shown.to_owned(), problems: vec![format!("{at}{text}")] }
+    }
+
+    /// An error with the line that names the file, if the file is not there.
+    fn named(&self, line: usize, what: &str, error: Error) -> Error {
+        match error {
+            Error::FileNotFound { path } => {
+                Error::SourceNotFound { place: self.place(line), what: what.to_owned(), path }
+            }
+            error => error,
+        }
     }
 
     /// A place for messages of the wiring.

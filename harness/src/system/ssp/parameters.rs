@@ -40,7 +40,8 @@ fn values(reader: &Reader, binding: &ParameterBinding, path: &str) -> Result<Vec
         Source::Inline(set) => (set.clone(), None),
         Source::File { source, base } => {
             let file = find(reader, binding, source, *base)?;
-            let set: ParameterSet = document(&file, ssp::read_parameters(&text(&file)?), |_| Vec::new())?;
+            let xml = text(&file).map_err(|error| reader.named(binding.line, "parameter set", error))?;
+            let set: ParameterSet = document(&file, ssp::read_parameters(&xml), |_| Vec::new())?;
             (set, Some(file))
         }
     };
@@ -49,7 +50,8 @@ fn values(reader: &Reader, binding: &ParameterBinding, path: &str) -> Result<Vec
         Some(Source::Inline(mapping)) => Some(mapping.clone()),
         Some(Source::File { source, base }) => {
             let file = find(reader, binding, source, *base)?;
-            let mapping: ParameterMapping = document(&file, ssp::read_mapping(&text(&file)?), |_| Vec::new())?;
+            let xml = text(&file).map_err(|error| reader.named(binding.line, "parameter mapping", error))?;
+            let mapping: ParameterMapping = document(&file, ssp::read_mapping(&xml), |_| Vec::new())?;
             Some(mapping)
         }
     };
@@ -66,7 +68,7 @@ fn values(reader: &Reader, binding: &ParameterBinding, path: &str) -> Result<Vec
             value: written(&parameter.value, folder),
             unit: parameter.unit.clone(),
             unit_definition: parameter.unit.as_deref().and_then(|unit| definition(reader, &set, unit)),
-            place,
+            place: Some(place),
         };
         match &mapping {
             None => values.push(plain),
