@@ -246,6 +246,12 @@ fn arrays_are_as_long_as_their_structural_parameter_says() {
     // A clock is nobody's column, and all outputs do without it.
     assert_eq!(run(&system, &[]).unwrap().names.len(), 9);
     assert!(run(&system, &["a.tick"]).unwrap_err().to_string().contains("`a.tick` is Clock"));
+    // Of a single FMU the instance need not be named.
+    let mut single = System::new("single");
+    single.add_model("it", mock("Array", variables, structure, |_| {}, rest));
+    single.set_start_value("n", "5");
+    single.set_start_value("u", "1 2 3 4 5");
+    single.check().unwrap();
     // Arrays of different lengths do not go together.
     system.set_start_value("b.n", "2");
     let problems = problems(&system);

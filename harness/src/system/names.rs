@@ -76,7 +76,8 @@ impl<'a> Names<'a> {
         let structural = |reference: u32| -> usize {
             let found = description.variables.iter().position(|variable| variable.value_reference == reference);
             let given = system.start_values.iter().rev().find_map(|start| {
-                let (at, name) = self.split(&start.variable)?;
+                let single = || (self.count() == 1).then_some((0, start.variable.as_str()));
+                let (at, name) = self.split(&start.variable).or_else(single)?;
                 (at == instance && self.variables[at].get(name).copied() == found).then(|| start.value.parse().ok())?
             });
             let declared = found.and_then(|index| match &description.variables[index].start {
