@@ -1,5 +1,7 @@
 //! Checks a file against its standard without running it: all problems, each with its place.
 
+mod fmus;
+
 use std::fmt;
 use std::path::Path;
 
@@ -33,7 +35,7 @@ impl fmt::Display for Finding {
 const DESCRIPTION: &str = "modelDescription.xml";
 
 /// Checks an FMU (its archive, its model description, its terminals, whether there is something to run), or an SSP document or archive
-/// with the parameter sets it names. FMUs that a system names are not looked at.
+/// with the parameter sets it names. A system without errors of its own is checked against the FMUs that it names, too.
 ///
 /// # Errors
 ///
@@ -41,12 +43,12 @@ const DESCRIPTION: &str = "modelDescription.xml";
 pub fn validate(path: &Path) -> Result<Vec<Finding>> {
     let extension = path.extension().map(|e| e.to_ascii_lowercase()).unwrap_or_default();
     match extension.to_str() {
-        Some("ssd") => system(path, None),
+        Some("ssd") => system(path, path, None),
         Some("ssv") => Ok(document(ssp::read_parameters(&text(path)?), None).1),
         Some("ssm") => Ok(document(ssp::read_mapping(&text(path)?), None).1),
-        Some("ssp") => {
-            in_archive(path, ssp::SYSTEM_STRUCTURE, "SSP archive", |file, _| system(file, Some(ssp::SYSTEM_STRUCTURE)))
-        }
+        Some("ssp") => in_archive(path, ssp::SYSTEM_STRUCTURE, "SSP archive", |file, _| {
+            system(path, file, Some(ssp::SYSTEM_STRUCTURE))
+        }),
         _ => in_archive(path, DESCRIPTION, "FMU", fmu),
     }
 }
@@ -82,22 +84,25 @@ fn fmu(file: &Path, folder: &Path) -> Result<Vec<Finding>> {
     Ok(findings)
 }
 
-/// Checks a system description and the parameter sets beside it.
-fn system(file: &Path, name: Option<&str>) -> Result<Vec<Finding>> {
+/// Checks a system description, the parameter sets beside it and, if all of that is right, how it goes with its FMUs.
+fn system(path: &Path, file: &Path, name: Option<&str>) -> Result<Vec<Finding>> {
     let (description, mut findings) = document(ssp::read_system(&text(file)?), name);
     let Some(description) = description else { return Ok(findings) };
     findings.extend(ssp::check(&description).into_iter().map(|problem| in_document(name, problem)));
     findings.sort_by_key(|f| f.problem.line);
     for (source, line) in parameter_files(&description.system) {
         // A source that is no path was found by the check of the description.
-        let Ok(path) = ssp::source_path(source) else { continue };
-        match text(&file.with_file_name(&path)) {
-            Ok(xml) => findings.extend(document(ssp::read_parameters(&xml), Some(&path)).1),
+        let Ok(set) = ssp::source_path(source) else { continue };
+        match text(&file.with_file_name(&set)) {
+            Ok(xml) => findings.extend(document(ssp::read_parameters(&xml), Some(&set)).1),
             Err(error) => {
-                let message = format!("the parameter set `{path}` cannot be read: {error}");
+                let message = format!("the parameter set `{set}` cannot be read: {error}");
                 findings.push(in_document(name, Problem { line, severity: Severity::Error, message }));
             }
         }
+    }
+    if !findings.iter().any(|finding| finding.problem.severity == Severity::Error) {
+        findings.extend(fmus::check(path, name, &description));
     }
     Ok(findings)
 }

@@ -95,6 +95,45 @@ fn validation_tells_all_problems_and_exits_with_3() {
     assert!(json[0]["problems"].as_array().unwrap().len() >= 3);
 }
 
+#[test]
+fn a_system_is_validated_with_its_fmus() {
+    let folder = tempfile::tempdir().unwrap();
+    let ssd = folder.path().join("system.ssd");
+    let connector = |name: &str, kind: &str, data_type: &str| {
+        format!("<ssd:Connector name=\"{name}\" kind=\"{kind}\"><ssc:{data_type}/></ssd:Connector>\n")
+    };
+    let write = |connectors: &str| {
+        let text = format!(
+            "<ssd:SystemStructureDescription name=\"s\" version=\"1.0\"\n  \
+             xmlns:ssc=\"http://ssp-standard.org/SSP1/SystemStructureCommon\"\n  \
+             xmlns:ssd=\"http://ssp-standard.org/SSP1/SystemStructureDescription\">\n\
+             <ssd:System name=\"root\"><ssd:Elements>\n\
+             <ssd:Component name=\"one\" source=\"one.fmu\"><ssd:Connectors>\n{connectors}\
+             </ssd:Connectors></ssd:Component>\n</ssd:Elements></ssd:System></ssd:SystemStructureDescription>\n"
+        );
+        std::fs::write(&ssd, text).unwrap();
+        ssd.to_str().unwrap()
+    };
+    let good = connector("rate", "input", "Real") + &connector("x", "output", "Real");
+    let (stdout, _) = exits(&["validate", write(&good)], 0);
+    assert!(stdout.contains("line 5: warning: component `one`: there is no file"), "{stdout}");
+    pack::pack(&common::foreign(swayless_modeldesc::types::FmiVersion::V3), &folder.path().join("one.fmu"));
+    let (stdout, _) = exits(&["validate", write(&good)], 0);
+    assert!(stdout.contains("no problems"), "{stdout}");
+    let wrong = [("rate", "output", "Real"), ("raet", "input", "Real"), ("x", "output", "Boolean")];
+    let wrong: String = wrong.map(|(name, kind, data_type)| connector(name, kind, data_type)).concat();
+    let (stdout, _) = exits(&["validate", write(&wrong)], FOUND_PROBLEMS);
+    for text in [
+        "line 6: error: the connector `one.rate` is of kind output, the variable of causality Input",
+        "line 7: error: `one` (",
+        "has no variable `raet`; did you mean `rate`?",
+        "line 8: error: the connector `one.x` is Boolean, the variable Float64",
+    ] {
+        assert!(stdout.contains(text), "{text} is not in\n{stdout}");
+    }
+    assert_eq!(stdout.lines().count(), 3, "{stdout}");
+}
+
 /// An FMU with a bit of everything that ticks and groups, beside what a model description must have.
 fn clocked(folder: &Path) -> PathBuf {
     let description = include_str!("../../modeldesc/tests/golden/fmi3_clocks.xml");

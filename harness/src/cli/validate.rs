@@ -10,8 +10,8 @@ use super::{Failure, Outcome, console};
 
 /// Check FMUs and SSP documents against their standards, without running them.
 ///
-/// Prints all problems, each with its place. Exits with 3 when a file has errors; warnings alone do not count. The FMUs
-/// that a system names are not looked into: `run` does that.
+/// Prints all problems, each with its place. Exits with 3 when a file has errors; warnings alone do not count. A
+/// system that is right by itself is checked against its FMUs, too: names, kinds, types and units.
 #[derive(Debug, clap::Args)]
 pub struct Arguments {
     /// The .fmu, .ssd, .ssv, .ssm or .ssp files to check

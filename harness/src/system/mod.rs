@@ -3,7 +3,7 @@
 mod names;
 mod ssp;
 mod start;
-mod units;
+pub(crate) mod units;
 mod wiring;
 
 use std::collections::{BTreeMap, HashMap};
