@@ -2,7 +2,8 @@
 
 use crate::course::{HIGHEST_ORDER, Term};
 use crate::declaration::{Declaration, Kind};
-use crate::instance::{Instance, Refusal, range};
+use crate::initialization::range;
+use crate::instance::{Instance, NOT_INITIALIZED, Refusal};
 use crate::layout::{Block, Layout};
 use crate::log::Category;
 use crate::model::Model;
@@ -29,6 +30,8 @@ impl<M: Model> Instance<M> {
                 }
                 self.initialize()
             }
+            // Where initialization has failed, what models rely on has not been checked.
+            _ if self.uninitialized => Err(Refusal::error(NOT_INITIALIZED)),
             Phase::Event => self.evaluate(),
             _ => Ok(()),
         }
@@ -39,6 +42,9 @@ impl<M: Model> Instance<M> {
     pub fn get(&mut self, block: Block, index: usize) -> Result<Value<'_, f64>, Refusal> {
         let given = matches!(block, Block::Time | Block::Parameters | Block::Inputs);
         if self.uninitialized && !given || self.pending {
+            if self.phase == Phase::Instantiated && block == Block::States {
+                return Ok(self.declared.get(index));
+            }
             self.ready()?;
         }
         if self.phase == Phase::Intermediate {

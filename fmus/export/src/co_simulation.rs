@@ -6,8 +6,10 @@ use crate::instance::{Instance, NOT_INITIALIZED, Refusal, is_due};
 use crate::layout::Layout;
 use crate::model::Model;
 
-/// More events than this in one step mean that the model switches without end.
-const MOST_EVENTS: usize = 100_000;
+/// More events than this in one step, or at one time, mean that the model switches without end.
+pub(crate) const MOST_EVENTS: usize = 100_000;
+/// A step with more time events than this, seconds of computing, does not end in useful time.
+const MOST_TIME_EVENTS: usize = 10_000_000;
 /// How far the importer's time may lie from the instance's, relative to it.
 const SAME_TIME: f64 = 1e-9;
 
@@ -28,6 +30,8 @@ pub struct Stride {
     pauses: bool,
     begun: bool,
     events: usize,
+    time_events: usize,
+    last_event: f64,
     /// Where the importer wants it to end instead.
     return_at: Option<f64>,
     t: f64,
@@ -101,6 +105,8 @@ impl<M: Model> Instance<M> {
             pauses,
             begun: false,
             events: 0,
+            time_events: 0,
+            last_event: f64::NEG_INFINITY,
             return_at: None,
             t: self.t,
             next_event: self.next_event,
@@ -162,9 +168,16 @@ impl<M: Model> Instance<M> {
                     return Ok(Progress::Ended(StepEnd { event: true, early }));
                 }
                 self.step_event()?;
-                stride.events += 1;
-                if stride.events > MOST_EVENTS {
-                    return Err(Refusal::error(format!("more than {MOST_EVENTS} events in one step, at {} s", self.t)));
+                let stays = self.t <= stride.last_event;
+                stride.last_event = self.t;
+                let (count, most) = if crossed || stays {
+                    (&mut stride.events, MOST_EVENTS)
+                } else {
+                    (&mut stride.time_events, MOST_TIME_EVENTS)
+                };
+                *count += 1;
+                if *count > most {
+                    return Err(Refusal::error(format!("more than {most} events in one step, at {} s", self.t)));
                 }
             }
             if stride.pauses {

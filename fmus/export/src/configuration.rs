@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use crate::declaration::{Declaration, Kind};
-use crate::instance::{Instance, Refusal, range};
+use crate::initialization::range;
+use crate::instance::{Instance, Refusal};
 use crate::layout::{Block, Layout};
 use crate::model::Model;
 use crate::phase::{Interface, Phase};
@@ -23,7 +24,8 @@ impl<M: Model> Instance<M> {
             let why = if any { "Event Mode must be left first".into() } else { format!("the FMU has no {which}") };
             return Err(Refusal::error(format!("fmi3EnterConfigurationMode is not allowed: {why}")));
         }
-        self.leave_event();
+        self.withdraw();
+        self.pending = false;
         self.phase = if starting { Phase::Configuration } else { Phase::Reconfiguration };
         Ok(())
     }
@@ -45,23 +47,28 @@ impl<M: Model> Instance<M> {
         if !self.p.set(index, value) {
             return self.wrong_type(block, index, value);
         }
+        self.resize();
         Ok(())
     }
 
-    /// Back to where the mode was entered from, with arrays of the new lengths. States that were not there before
-    /// begin with their start values.
-    pub fn exit_configuration(&mut self) -> Result<(), Refusal> {
+    /// Gives arrays their new lengths. States that were not there before begin with their start values.
+    fn resize(&mut self) {
         let before = self.sizes.take();
         self.sizes = Sizes::of::<M>(&self.p).map(Arc::new);
-        if self.phase == Phase::Configuration {
-            self.phase = Phase::Instantiated;
-            self.uninitialized = true;
-            return Ok(());
-        }
         if let (Some(before), Some(now)) = (before, &self.sizes) {
             for state in now.states().iter().filter(|state| !before.has(Layout::<M>::STATES + **state)) {
                 self.x.set(*state, self.declared.get(*state));
             }
+        }
+        self.moved();
+    }
+
+    /// Back to where the mode was entered from.
+    pub fn exit_configuration(&mut self) -> Result<(), Refusal> {
+        if self.phase == Phase::Configuration {
+            self.phase = Phase::Instantiated;
+            self.uninitialized = true;
+            return Ok(());
         }
         self.phase = match self.interface {
             Interface::ModelExchange => Phase::Event,

@@ -26,7 +26,14 @@ const DEPENDENT: u8 = How::Dependent as u8;
 impl<M: Model> Instance<M> {
     /// What a variable depends on now: in initialization before it ends, while the simulation runs after.
     pub fn dependencies(&mut self, reference: u32) -> Result<Vec<Dependency>, Refusal> {
+        let starting = matches!(self.phase, Phase::Instantiated | Phase::Initialization);
+        if self.clock(reference).is_ok_and(|(_, clock)| clock.interval.is_output()) {
+            return Ok(self.everything(starting));
+        }
         let (block, index) = self.locate(reference)?;
+        if block == Block::Indicators {
+            return Ok(self.everything(starting));
+        }
         let first = Layout::<M>::first(block) + index;
         let count = Layout::<M>::extent(block, index);
         if count == 0 || !matches!(block, Block::States | Block::Derivatives | Block::Outputs | Block::Discrete) {
@@ -34,7 +41,6 @@ impl<M: Model> Instance<M> {
             return Err(Refusal::error(format!("{name} has no dependencies: it is no output and no state derivative")));
         }
         let structure = self.structure.take().unwrap_or_else(|| Box::new(Structure::of::<M>()));
-        let starting = matches!(self.phase, Phase::Instantiated | Phase::Initialization);
         let mut found = Vec::new();
         for number in (first..first + count).filter(|number| self.there(*number)) {
             let element = if count > 1 { number - first + 1 } else { 0 };
@@ -60,6 +66,17 @@ impl<M: Model> Instance<M> {
         }
         self.structure = Some(structure);
         Ok(found)
+    }
+
+    /// What a scalar depends on of which nothing more is known: indicators switch, and clocks tick as the model says.
+    fn everything(&self, starting: bool) -> Vec<Dependency> {
+        let first = if starting { Layout::<M>::PARAMETERS } else { Layout::<M>::INPUTS };
+        let numbers = std::iter::once(0).chain(first..Layout::<M>::DERIVATIVES).filter(|number| self.there(*number));
+        let on = |number| {
+            let (on, on_element) = head::<M>(number);
+            Dependency { element: 0, on, on_element, kind: DEPENDENT }
+        };
+        numbers.map(on).collect()
     }
 
     /// Whether a scalar is there, with the lengths that arrays have now.

@@ -3,6 +3,7 @@
 //! In Event Mode an importer may set, look, and set again before it says that the event is over. So what is computed
 //! for looking is given back when something else is set, and kept when the event is over.
 
+use crate::co_simulation::MOST_EVENTS;
 use crate::instance::{Instance, NOT_INITIALIZED, Refusal, is_due};
 use crate::log::Category;
 use crate::model::{Event, Model, Point};
@@ -19,23 +20,45 @@ pub struct Tentative {
 impl<M: Model> Instance<M> {
     /// The event that ends initialization.
     pub(crate) fn first_event(&mut self) -> Result<(), Refusal> {
+        (self.fired, self.next_event) = (0, None);
+        self.schedule.start_periodic::<M>(self.t, &self.p);
         let mut next = self.compute(true, 0)?;
         if let Some(memory) = &self.memory {
             let at = Point::<M, f64> { t: self.t, p: &self.p, u: &self.u, x: &self.x, d: &self.d, memory };
-            self.schedule.start(&at);
+            self.schedule.start_aperiodic(&at);
         }
         let ticking = self.ticking();
         if ticking != 0 {
             next = self.compute(false, ticking)?;
         }
-        self.settle(Tentative { ticked: ticking, next_event: next })
+        self.settle(Tentative { ticked: ticking, next_event: next })?;
+        self.follow()?;
+        Ok(())
     }
 
     /// An event within a step of co-simulation.
     pub(crate) fn event(&mut self) -> Result<(), Refusal> {
         let ticked = self.ticking();
         let next_event = self.compute(false, ticked)?;
-        self.settle(Tentative { ticked, next_event })
+        self.settle(Tentative { ticked, next_event })?;
+        self.follow()?;
+        Ok(())
+    }
+
+    /// What an event has made due at its own time, such as a countdown of 0 s, follows it at once. Returns whether a
+    /// state has jumped.
+    fn follow(&mut self) -> Result<bool, Refusal> {
+        let mut jumped = false;
+        for _ in 0..MOST_EVENTS {
+            let ticked = if self.clocked { 0 } else { self.schedule.due(self.event_time()) };
+            if ticked == 0 {
+                return Ok(jumped);
+            }
+            let next_event = self.compute(false, ticked)?;
+            jumped |= self.flow.states_differ(&self.x);
+            self.settle(Tentative { ticked, next_event })?;
+        }
+        Err(Refusal::error(format!("more than {MOST_EVENTS} events at the same time, {} s", self.t)))
     }
 
     /// A model partition of scheduled execution.
@@ -84,19 +107,21 @@ impl<M: Model> Instance<M> {
     pub(crate) fn conclude(&mut self) -> Result<bool, Refusal> {
         self.pending = true;
         self.evaluate()?;
+        let mut jumped = self.flow.states_differ(&self.x);
         if let Some(tentative) = self.tentative.take() {
             self.settle(tentative)?;
         }
+        jumped |= self.follow()?;
         self.pending = false;
         self.ticked |= self.active;
         self.active = 0;
         self.fired = 0;
-        Ok(self.flow.states_differ(&self.x))
+        Ok(jumped)
     }
 
     /// The clocks that tick at this event: those the importer has activated, or those whose time has come.
     fn ticking(&self) -> u64 {
-        if self.clocked { self.active } else { self.schedule.due(self.event_time()) }
+        if self.clocked { self.active } else { self.schedule.ticking(self.event_time()) }
     }
 
     /// An event that is due counts as being at its own time.

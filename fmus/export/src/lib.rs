@@ -21,6 +21,7 @@ mod flow;
 pub mod fmi2;
 #[doc(hidden)]
 pub mod fmi3;
+mod initialization;
 mod instance;
 mod integrator;
 mod layout;

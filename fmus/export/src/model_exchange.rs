@@ -110,16 +110,20 @@ impl<M: Model> Instance<M> {
                 "EnterEventMode is not allowed: the instance was made with eventModeUsed = false",
             ));
         }
+        if self.phase == Phase::Event {
+            return Ok(());
+        }
         self.phase = Phase::Event;
         (self.active, self.ticked, self.fired) = (0, 0, 0);
         self.pending = true;
         Ok(())
     }
 
-    /// An event that the importer does not end has not been.
-    pub(crate) fn leave_event(&mut self) {
+    /// An event that the importer does not end has not been, and clocks that it has activated have not ticked.
+    fn leave_event(&mut self) {
         self.withdraw();
         self.pending = false;
+        (self.active, self.fired) = (0, 0);
     }
 
     /// To Step Mode.

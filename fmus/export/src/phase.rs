@@ -148,24 +148,28 @@ impl Call {
             Self::SetDebugLogging | Self::Reset | Self::State => (ANY, None),
             Self::SetupExperiment | Self::EnterInitializationMode => (INSTANTIATED, None),
             Self::ExitInitializationMode => (INITIALIZATION, None),
-            Self::Terminate => (RUNNING, None),
-            Self::Get => (LOOKING | CONFIGURING | CALLBACK, None),
+            Self::Terminate => (RUNNING | Phase::Reconfiguration as u16, None),
+            // Before initialization what has been set can be read.
+            Self::Get => (INSTANTIATED | LOOKING | CONFIGURING | CALLBACK, None),
             Self::GetDerivative => (LOOKING, None),
             Self::Set => (INSTANTIATED | INITIALIZATION | RUNNING | CONFIGURING | CALLBACK, None),
             Self::DoStep => (STEP, Some(CoSimulation)),
             Self::ContinueStep => (STEP | INTERMEDIATE, Some(CoSimulation)),
             Self::SetInputDerivatives => (INSTANTIATED | INITIALIZATION | STEP, Some(CoSimulation)),
             Self::GetStatus => (STEP | OVER, Some(CoSimulation)),
-            Self::EnterEventMode => (CONTINUOUS | STEP, None),
+            // Importers of FMI 2.0 enter Event Mode after initialization too, which ends in it.
+            Self::EnterEventMode => (CONTINUOUS | STEP | EVENT, None),
             Self::NewDiscreteStates => (EVENT, None),
             Self::EnterContinuousTimeMode => (EVENT, Some(ModelExchange)),
             Self::EnterStepMode => (EVENT, Some(CoSimulation)),
             Self::GetOutputDerivatives => (STEP | INTERMEDIATE | OVER, Some(CoSimulation)),
             Self::CompletedIntegratorStep | Self::SetContinuousStates => (CONTINUOUS, Some(ModelExchange)),
             Self::SetTime => (EVENT | CONTINUOUS, Some(ModelExchange)),
-            Self::GetDerivatives | Self::GetEventIndicators | Self::GetContinuousStates | Self::GetNominals => {
+            Self::GetDerivatives | Self::GetEventIndicators | Self::GetContinuousStates => {
                 (LOOKING, Some(ModelExchange))
             }
+            // FMI 2.0 allows it from the begin.
+            Self::GetNominals => (INSTANTIATED | LOOKING, Some(ModelExchange)),
             Self::GetCounts | Self::GetDependencies => (INSTANTIATED | LOOKING, None),
             Self::EnterConfigurationMode => (INSTANTIATED | EVENT | STEP | ACTIVATION, None),
             Self::ExitConfigurationMode => (CONFIGURING, None),

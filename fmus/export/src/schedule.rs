@@ -98,32 +98,43 @@ impl Schedule {
         self.intervals.copy_from_slice(&other.intervals);
     }
 
-    /// Starts all clocks at the time of the point.
-    pub fn start<M: Model>(&mut self, at: &Point<'_, M, f64>) {
+    /// Starts the periodic clocks, before the first event.
+    pub fn start_periodic<M: Model>(&mut self, t: f64, p: &M::Parameters<f64>) {
         for (i, timer) in self.timers.iter_mut().enumerate() {
             let clock = &self.clocks[i];
-            let value = if clock.interval.is_periodic() {
-                let of_model = || positive(M::interval(i, at.p));
-                self.intervals[i] = timer.set_interval.or(clock.interval.declared()).unwrap_or_else(of_model);
-                timer.base = at.t + timer.set_shift.unwrap_or(clock.shift);
-                timer.count = 0.0;
-                Some(self.intervals[i])
-            } else {
-                timer.due = M::next_tick(i, at);
-                timer.due
-            };
-            timer.fresh = value.is_some() && timer.told != value;
             timer.activated = None;
+            if clock.interval.is_periodic() {
+                let of_model = || positive(M::interval(i, p));
+                self.intervals[i] = timer.set_interval.or(clock.interval.declared()).unwrap_or_else(of_model);
+                timer.base = t + timer.set_shift.unwrap_or(clock.shift);
+                timer.count = 0.0;
+                timer.fresh = timer.told != Some(self.intervals[i]);
+            }
         }
     }
 
-    /// The clocks that are due at a time, one bit each.
+    /// Starts the clocks whose ticks the model knows, after the first event.
+    pub fn start_aperiodic<M: Model>(&mut self, at: &Point<'_, M, f64>) {
+        for (i, timer) in self.timers.iter_mut().enumerate() {
+            if matches!(self.clocks[i].interval, Interval::Changing | Interval::Countdown) {
+                timer.due = M::next_tick(i, at);
+                timer.fresh = timer.due.is_some_and(|due| timer.told != Some(ahead(due, at.t)));
+            }
+        }
+    }
+
+    /// The clocks that tick at an event, one bit each: those that are due, and those that tick always.
+    pub fn ticking(&self, t: f64) -> u64 {
+        self.due(t) | self.set_of(|clock| self.ticks_always(clock))
+    }
+
+    /// The clocks whose time has come, one bit each.
     pub fn due(&self, t: f64) -> u64 {
-        let due = |clock: usize| match self.next_of(clock) {
-            Some(next) => is_due(next, t),
-            None => self.ticks_always(clock),
-        };
-        (0..self.clocks.len()).filter(|clock| due(*clock)).fold(0, |set, clock| set | 1 << clock)
+        self.set_of(|clock| self.next_of(clock).is_some_and(|next| is_due(next, t)))
+    }
+
+    fn set_of(&self, is_member: impl Fn(usize) -> bool) -> u64 {
+        (0..self.clocks.len()).filter(|clock| is_member(*clock)).fold(0, |set, clock| set | 1 << clock)
     }
 
     /// The earliest tick that is known (s).
@@ -163,9 +174,12 @@ impl Schedule {
                 let timer = &mut self.timers[i];
                 timer.count += 1.0;
                 // Ticks that a long step has passed over are not made up for.
-                let passed = ((at.t - timer.base) / self.intervals[i]).floor();
-                if passed.is_finite() && is_due(timer.base + timer.count * self.intervals[i], at.t) {
+                let interval = self.intervals[i];
+                let passed = ((at.t - timer.base) / interval).floor();
+                if passed.is_finite() && is_due(timer.base + timer.count * interval, at.t) {
                     timer.count = passed + 1.0;
+                    // The tick at this very time may lie a rounding behind.
+                    timer.count += f64::from(is_due(timer.base + timer.count * interval, at.t));
                 }
             } else if kind == Interval::Changing && has_ticked {
                 self.timers[i].due = M::next_tick(i, at);
@@ -217,7 +231,7 @@ impl Schedule {
     pub fn tell(&mut self, clock: usize, t: f64) -> (f64, Qualifier) {
         let kind = self.clocks[clock].interval;
         let timer = &mut self.timers[clock];
-        let value = if kind.is_periodic() { Some(self.intervals[clock]) } else { timer.due.map(|due| due - t) };
+        let value = if kind.is_periodic() { Some(self.intervals[clock]) } else { timer.due.map(|due| ahead(due, t)) };
         let Some(value) = value else { return (0.0, Qualifier::NotYetKnown) };
         if kind.declared().is_some() {
             return (value, Qualifier::Unchanged);
@@ -237,6 +251,11 @@ impl Schedule {
         }
         later
     }
+}
+
+/// How long it is until a tick, which may be late.
+fn ahead(due: f64, t: f64) -> f64 {
+    (due - t).max(0.0)
 }
 
 /// An interval that can be counted in; anything else means at every event.

@@ -75,6 +75,7 @@ impl<M: Model> Instance<M> {
                 return Err(unusable::<M>(block, index, "unknown", "a real output"));
             }
         }
+        self.ready()?;
         self.refresh_derivatives()?;
         let states = Layout::<M>::STATES..Layout::<M>::DERIVATIVES;
         let rates = self.dx.clone();

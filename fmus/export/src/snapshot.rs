@@ -261,6 +261,12 @@ impl<M: Model> Snapshot<M> {
     }
 
     fn of(portable: Portable<M::Memory>) -> Option<Self> {
+        // A simulation that runs, or has run, has been initialized.
+        let starting = Phase::Instantiated as u16 | Phase::Configuration as u16 | Phase::Initialization as u16;
+        let may_lack = portable.phase & (starting | Phase::Failed as u16) != 0;
+        if !may_lack && (portable.uninitialized || portable.memory.is_none()) {
+            return None;
+        }
         Some(Self {
             interface: [Interface::ModelExchange, Interface::CoSimulation, Interface::ScheduledExecution]
                 .into_iter()

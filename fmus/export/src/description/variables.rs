@@ -57,6 +57,7 @@ pub fn entries<M: Model>(version: FmiVersion, variant: Variant) -> Vec<Entry> {
                         causality: Causality::Local,
                         initial: Initial::default_for(Causality::Local, variable.variability),
                         start: None,
+                        reinit: false,
                         ..variable.clone()
                     });
                     entries.push(Entry { block, first: first + part, count, variable });
@@ -164,6 +165,8 @@ fn variable(
             _ => unit.map(|unit| unit.quantity.to_string()),
         },
         start: (initial == Some(Initial::Exact)).then_some(start),
+        // An event may change any state; that none does cannot be told from outside.
+        reinit: block == Block::States,
         dimensions: match declaration.dimension {
             Some(length) if whole => vec![Dimension::Fixed(length as u64)],
             _ => Vec::new(),

@@ -139,3 +139,35 @@ fn fmi2_gives_the_same_numbers() {
     }
     assert_eq!(seen, expected);
 }
+
+#[test]
+fn what_has_been_set_can_be_read_before_initialization() {
+    // PyFMI's users do; FMI 3.0 has start values there.
+    let ball = Host::co_simulation();
+    assert_eq!((ball.get("gravity"), ball.get("push"), ball.get("height")), (9.81, 0.0, 1.0));
+    assert_eq!((ball.set("gravity", 1.6), ball.set("height", 2.0)), (OK, OK));
+    assert_eq!((ball.get("gravity"), ball.get("height")), (1.6, 2.0));
+    ball.initialize();
+    assert_eq!((ball.get("gravity"), ball.get("height")), (1.6, 2.0));
+    assert_eq!(ball.reset(), OK);
+    let (energy, mut value) = (ball.reference("energy"), 0.0);
+    // SAFETY: one reference and one value.
+    let status = unsafe { fmi3::fmi3GetFloat64::<Ball>(ball.instance, &energy, 1, &mut value, 1) };
+    assert_eq!(status, ERROR, "what is calculated has no value yet");
+}
+
+#[test]
+fn importers_of_fmi2_enter_event_mode_after_initialization_and_ask_for_nominals_before() {
+    // OpenModelica does the first; FMI 2.0.5, 3.2.3, has both in its table of allowed calls.
+    let ball = Host::model_exchange();
+    let mut nominals = [0.0; 2];
+    // SAFETY: an instance, which is the same in both versions, and room for two values.
+    unsafe {
+        let status = fmi2::fmi2GetNominalsOfContinuousStates::<Ball>(ball.instance, nominals.as_mut_ptr(), 2);
+        assert_eq!((status, nominals), (OK, [1.0; 2]));
+    }
+    ball.initialize();
+    // SAFETY: an instance.
+    assert_eq!(unsafe { fmi2::fmi2EnterEventMode::<Ball>(ball.instance) }, OK, "{:?}", ball.log);
+    assert_eq!(ball.update(), None);
+}

@@ -162,3 +162,18 @@ fn errors_are_logged_even_when_logging_is_off() {
     // SAFETY: an instance and one category.
     assert_eq!(unsafe { fmi3::fmi3SetDebugLogging::<Ball>(ball.instance, 1, 1, &unknown) }, ERROR);
 }
+
+#[test]
+fn after_a_failed_initialization_no_model_is_evaluated_with_what_it_refuses() {
+    let ball = Host::co_simulation();
+    assert_eq!(ball.enter_initialization(), OK);
+    assert_eq!(ball.get("energy"), 9.81);
+    assert_eq!(ball.set("gravity", -1.0), OK);
+    assert_eq!(ball.exit_initialization(), ERROR);
+    let (reference, mut value) = (ball.reference("energy"), 0.0);
+    // SAFETY: one reference and one value.
+    let status = unsafe { fmi3::fmi3GetFloat64::<Ball>(ball.instance, &reference, 1, &mut value, 1) };
+    assert_eq!(status, ERROR);
+    assert!(ball.last_message().contains("initialized"), "{}", ball.last_message());
+    assert_eq!(ball.get("gravity"), -1.0, "what has been set can be seen");
+}

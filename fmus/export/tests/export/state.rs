@@ -183,3 +183,35 @@ fn derivatives_of_inputs_are_part_of_a_state() {
     assert_eq!(other.get("push").to_bits(), ball.get("push").to_bits());
     assert_eq!(other.get("velocity").to_bits(), ball.get("velocity").to_bits());
 }
+
+/// Another phase, with a checksum that fits.
+fn forged(bytes: &[u8], phase: u8) -> Vec<u8> {
+    let values = bytes.len() - bytes.iter().position(|byte| *byte == b'}').unwrap() - 1 - 16;
+    let (head, values) = bytes.split_at(bytes.len() - values);
+    let mut values = values.to_vec();
+    // The interface and whether there are clocks stand before the phase.
+    values[2] = phase;
+    // FNV-1a of 128 bits, from its reference.
+    let checksum = values.iter().fold(0x6C62_272E_07BB_0142_62B8_2175_6295_C58D_u128, |hash, byte| {
+        (hash ^ u128::from(*byte)).wrapping_mul((1 << 88) + 0x13B)
+    });
+    [&head[..head.len() - 16], &checksum.to_le_bytes(), &values].concat()
+}
+
+#[test]
+fn bytes_of_a_run_that_was_never_initialized_are_refused() {
+    let ball = Host::co_simulation();
+    let instantiated = State::of(&ball).bytes();
+    assert!(State::read(&ball, &forged(&instantiated, 1)).is_some(), "the forgery itself is right");
+    // Event, continuous time, step, terminated.
+    for phase in [4, 8, 16, 32] {
+        assert_eq!(ball.reset(), OK);
+        assert!(State::read(&ball, &forged(&instantiated, phase)).is_none(), "{phase}");
+        assert!(ball.last_message().contains("refused"), "{}", ball.last_message());
+    }
+    // Not checked, but taken at their word: parameters that no model has seen.
+    assert_eq!(ball.reset(), OK);
+    assert_eq!((ball.set("restitution", 7.0), ball.enter_initialization()), (OK, OK));
+    let unchecked = State::of(&ball).bytes();
+    assert!(State::read(&ball, &forged(&unchecked, 16)).is_none());
+}

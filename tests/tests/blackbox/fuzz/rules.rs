@@ -104,7 +104,6 @@ enum Kinds {
 const BOTH: &[FmiVersion] = &[V2, V3];
 const ANY: &[Mode] =
     &[Instantiated, Initialization, Event, ContinuousTime, Step, Terminated, Configuration, Reconfiguration, Error];
-const RUNNING: &[Mode] = &[Event, ContinuousTime, Step];
 /// FMI 2.0 lets an importer look at values where a run has ended or failed; FMI 3.0 is stricter after an error.
 const LOOKING: &[Mode] = &[Initialization, Event, ContinuousTime, Step, Terminated];
 const FAILED: &[Mode] = &[Error];
@@ -133,7 +132,8 @@ pub const RULES: &[Rule] = &[
     Rule::new(Name::SetupExperiment, 3, Kinds::All, &[Instantiated]).only(&[V2]),
     Rule::new(Name::EnterInitialization, 12, Kinds::All, &[Instantiated]),
     Rule::new(Name::ExitInitialization, 8, Kinds::All, &[Initialization]),
-    Rule::new(Name::Terminate, 1, Kinds::All, RUNNING).certain(),
+    // Reconfiguration Mode is within the state Initialized of FMI 3.0.
+    Rule::new(Name::Terminate, 1, Kinds::All, &[Event, ContinuousTime, Step, Reconfiguration]).certain(),
     Rule::new(Name::Reset, 1, Kinds::All, ANY).certain(),
     Rule::new(Name::Get, 8, Kinds::All, LOOKING).tolerated(&[Instantiated, Configuration, Reconfiguration, Error]),
     Rule::new(
@@ -145,7 +145,7 @@ pub const RULES: &[Rule] = &[
     Rule::new(Name::GetClock, 1, Kinds::WithEvents, &[Event]).only(&[V3]),
     Rule::new(Name::SetClock, 1, Kinds::WithEvents, &[Event]).only(&[V3]),
     Rule::new(Name::DoStep, 20, Kinds::CoSimulation, &[Step]),
-    Rule::new(Name::EnterEvent, 3, Kinds::WithEvents, &[ContinuousTime, Step]).certain(),
+    Rule::new(Name::EnterEvent, 3, Kinds::WithEvents, &[ContinuousTime, Step]).tolerated(&[Event]).certain(),
     Rule::new(Name::Update, 8, Kinds::WithEvents, &[Event]),
     Rule::new(Name::EnterContinuousTime, 6, Kinds::ModelExchange, &[Event]).certain(),
     Rule::new(Name::EnterStep, 6, Kinds::EventModeOfCoSimulation, &[Event]).only(&[V3]).certain(),
@@ -156,7 +156,7 @@ pub const RULES: &[Rule] = &[
     Rule::new(Name::GetStates, 2, Kinds::ModelExchange, LOOKING).tolerated(FAILED),
     Rule::new(Name::GetDerivatives, 3, Kinds::ModelExchange, LOOKING).tolerated(FAILED),
     Rule::new(Name::GetIndicators, 3, Kinds::ModelExchange, LOOKING).tolerated(FAILED),
-    Rule::new(Name::GetNominals, 1, Kinds::ModelExchange, LOOKING).tolerated(FAILED),
+    Rule::new(Name::GetNominals, 1, Kinds::ModelExchange, LOOKING).tolerated(&[Instantiated, Error]),
     // The numbers are those of the description wherever they are asked for.
     Rule::new(Name::GetCounts, 1, Kinds::All, &[]).only(&[V3]).tolerated(ANY),
     Rule::new(Name::Directional, 4, Kinds::All, LOOKING).tolerated(FAILED),
