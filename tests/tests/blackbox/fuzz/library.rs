@@ -89,6 +89,14 @@ impl Subject {
         &self.fmu
     }
 
+    /// The functions, if they are those of FMI 3.0.
+    pub fn functions3(&self) -> Option<&fmi3::Functions> {
+        match &self.functions {
+            Functions::V2(_) => None,
+            Functions::V3(functions) => Some(functions),
+        }
+    }
+
     /// The ways in which instances can be made.
     pub fn kinds(&self) -> Vec<Kind> {
         let mut kinds = Vec::new();

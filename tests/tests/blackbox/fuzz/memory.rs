@@ -13,7 +13,7 @@ use swayless_modeldesc::types::{Causality, DataType};
 use super::call::{Access, Call, Experiment, Values};
 use super::library::{Kind, Subject};
 use super::player::Player;
-use super::{config, subjects};
+use super::{callbacks, config, subjects};
 use crate::packaged;
 
 /// How many sequences are played on each way to make an instance of each FMU.
@@ -38,6 +38,7 @@ fn plays_to_be_watched() {
             outcome.unwrap_or_else(|failure| panic!("{failure}"));
             panic_everywhere(subject, kind);
         }
+        callbacks::play(subject);
         // The harness uses no Event Mode, which clocks need.
         if subject.kinds().contains(&Kind::CoSimulation) {
             by_the_harness(subject.fmu());

@@ -3,6 +3,7 @@
 //! Seeds are fixed and times bounded. For a longer run, see `tests/README.md`.
 
 mod call;
+mod callbacks;
 mod documents;
 mod host2;
 mod host3;

@@ -176,7 +176,7 @@ pub const RULES: &[Rule] = &[
         .tolerated(&[Step, Event])
         .certain(),
     Rule::new(Name::ExitConfiguration, 6, Kinds::Structural, &[Configuration, Reconfiguration]).only(&[V3]).certain(),
-    Rule::new(Name::EvaluateDiscrete, 1, Kinds::None, &[]).only(&[V3]),
+    Rule::new(Name::EvaluateDiscrete, 1, Kinds::WithEvents, &[Event]).only(&[V3]),
     Rule::new(Name::Activate, 1, Kinds::None, &[]).only(&[V3]),
     Rule::new(Name::Dependencies, 1, Kinds::All, &[Instantiated, Initialization, Event, ContinuousTime, Step])
         .only(&[V3])
