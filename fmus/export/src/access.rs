@@ -69,7 +69,26 @@ impl<M: Model> Instance<M> {
         })
     }
 
-    /// Sets a scalar, where the phase allows it.
+    /// Discards a value that a tunable parameter cannot have while the simulation runs. All values of a call are asked
+    /// for before the first is set, since a call that is discarded changes nothing.
+    #[inline]
+    pub fn admit(&self, block: Block, index: usize, value: Value<'_, f64>) -> Result<(), Refusal> {
+        let Value::Real(value) = value else { return Ok(()) };
+        let may_tune = matches!(self.phase, Phase::Event | Phase::Step | Phase::ClockActivation);
+        if block != Block::Parameters || !may_tune {
+            return Ok(());
+        }
+        let found = covering(&self.parameter_declarations, index);
+        match found.filter(|parameter| parameter.tunable && !parameter.allows(value)) {
+            Some(parameter) => {
+                let name = Layout::<M>::name(block, index);
+                Err(Refusal::discard(format!("{name} is {value}; {}", range(parameter))))
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// Sets a scalar, where the phase allows it; its value has been [admitted](Self::admit).
     #[inline]
     pub fn set(&mut self, block: Block, index: usize, value: Value<'_, f64>) -> Result<(), Refusal> {
         match self.phase {
@@ -117,12 +136,6 @@ impl<M: Model> Instance<M> {
                     }
                     if self.phase == Phase::ContinuousTime {
                         return self.not_now(block, index, "a tunable parameter changes in Event Mode only");
-                    }
-                    if let Value::Real(value) = value
-                        && !declaration.allows(value)
-                    {
-                        let name = Layout::<M>::name(block, index);
-                        return Err(Refusal::discard(format!("{name} is {value}; {}", range(declaration))));
                     }
                 }
                 if !self.p.set(index, value) {

@@ -42,9 +42,13 @@ macro_rules! accessors {
                 call::<M>(c, Call::Set, stringify!($set), |instance| {
                     let references = slice(vr, nvr, "vr")?;
                     let values = slice(value, nvr, "value")?;
+                    let to_value: fn(&Instance<M>, u32, $type) -> Value<'static, f64> = $to_value;
                     for (reference, value) in references.iter().zip(values) {
                         let (block, index) = instance.locate(*reference)?;
-                        let to_value: fn(&Instance<M>, u32, $type) -> Value<'static, f64> = $to_value;
+                        instance.admit(block, index, to_value(instance, *reference, *value))?;
+                    }
+                    for (reference, value) in references.iter().zip(values) {
+                        let (block, index) = instance.locate(*reference)?;
                         let value = to_value(instance, *reference, *value);
                         instance.set(block, index, value)?;
                     }

@@ -88,7 +88,13 @@ macro_rules! accessors {
                     let references = slice(value_references, n_value_references, "valueReferences")?;
                     let values = slice(values, n_values, "values")?;
                     let sizes = instance.sizes.clone();
-                    each_scalar::<M>(sizes.as_deref(), references, Some(n_values), |place, block, index| {
+                    let all = |visit: &mut dyn FnMut(usize, Block, usize) -> Result<(), Refusal>| {
+                        each_scalar::<M>(sizes.as_deref(), references, Some(n_values), visit)
+                    };
+                    all(&mut |place, block, index| {
+                        instance.admit(block, index, Value::$variant($to_value(values[place])))
+                    })?;
+                    all(&mut |place, block, index| {
                         instance.set(block, index, Value::$variant($to_value(values[place])))
                     })
                 })

@@ -1,7 +1,7 @@
 //! Calls that must be refused, with which status and what message; and what the instance is afterwards.
 
 use swayless_export::abi::fmi3::{DISCARD, ERROR, FATAL, OK};
-use swayless_export::fmi3;
+use swayless_export::{fmi2, fmi3};
 
 use crate::ball::Ball;
 use crate::host::Host;
@@ -176,4 +176,21 @@ fn after_a_failed_initialization_no_model_is_evaluated_with_what_it_refuses() {
     assert_eq!(status, ERROR);
     assert!(ball.last_message().contains("initialized"), "{}", ball.last_message());
     assert_eq!(ball.get("gravity"), -1.0, "what has been set can be seen");
+}
+
+#[test]
+fn a_call_that_is_discarded_sets_nothing() {
+    let ball = Host::co_simulation();
+    ball.initialize();
+    let references = [ball.reference("push"), ball.reference("restitution")];
+    // SAFETY: an instance, which is the same in both versions, two references and two values.
+    let statuses = unsafe {
+        [
+            fmi3::fmi3SetFloat64::<Ball>(ball.instance, references.as_ptr(), 2, [1.0, 7.0].as_ptr(), 2),
+            fmi2::fmi2SetReal::<Ball>(ball.instance, references.as_ptr(), 2, [1.0, 7.0].as_ptr()),
+        ]
+    };
+    assert_eq!(statuses, [DISCARD; 2]);
+    assert!(ball.last_message().contains("restitution is 7"), "{}", ball.last_message());
+    assert_eq!((ball.get("push"), ball.get("restitution")), (0.0, 0.5));
 }
