@@ -65,7 +65,7 @@ impl<M: Model> Instance<M> {
     pub fn output_derivatives(&mut self, outputs: &[usize], values: &mut [f64]) -> Result<(), Refusal> {
         same_length("values", values.len(), "outputs", outputs.len())?;
         for output in outputs {
-            let (block, index) = place::<M>(*output)?;
+            let (block, index) = self.located(*output)?;
             // A discrete number does not change between events.
             let real = match block {
                 Block::Discrete => matches!(self.d.get(index), Value::Real(_)),
@@ -93,17 +93,23 @@ impl<M: Model> Instance<M> {
         Ok(())
     }
 
+    /// Where a scalar is, if it is there with the lengths that arrays have now.
+    fn located(&self, number: usize) -> Result<(Block, usize), Refusal> {
+        // A number too great for a value reference is beyond the last variable as well.
+        self.locate(u32::try_from(number).unwrap_or(u32::MAX))
+    }
+
     fn prepare_derivative(&mut self, unknowns: &[usize], knowns: &[usize]) -> Result<(), Refusal> {
         self.ready()?;
         self.check_inputs()?;
         for unknown in unknowns {
-            let (block, index) = place::<M>(*unknown)?;
+            let (block, index) = self.located(*unknown)?;
             if !matches!(block, Block::States | Block::Derivatives | Block::Outputs) {
                 return Err(unusable::<M>(block, index, "unknown", "a continuous output or a state derivative"));
             }
         }
         for known in knowns {
-            let (block, index) = place::<M>(*known)?;
+            let (block, index) = self.located(*known)?;
             let real = match block {
                 Block::Parameters => matches!(self.p.get(index), Value::Real(_)),
                 Block::Inputs => matches!(self.u.get(index), Value::Real(_)),

@@ -3,7 +3,7 @@
 use std::ptr::null_mut;
 
 use swayless_export::abi::fmi3::{DISCARD, ERROR, OK};
-use swayless_export::fmi3;
+use swayless_export::{fmi2, fmi3};
 
 use crate::chain::Chain;
 use crate::host::{CO_SIMULATION, Host, Interface, Wish};
@@ -127,4 +127,17 @@ fn a_state_taken_in_reconfiguration_goes_on_to_the_same() {
     // SAFETY: an instance.
     assert_eq!(unsafe { fmi3::fmi3Terminate::<Chain>(host.instance) }, OK);
     is_near(host.levels(), [0.5, 10.0]);
+}
+
+#[test]
+fn elements_that_are_not_there_have_no_derivatives_in_fmi2() {
+    let host = Host::<Chain>::new(CO_SIMULATION);
+    host.initialize();
+    let (level, inflow, mut answer) = (host.reference("der(level)"), host.reference("inflow"), 0.0);
+    // SAFETY: an instance, which is the same in both versions, and one value each.
+    let mut ask = |element: u32| unsafe {
+        let unknown = level + element;
+        fmi2::fmi2GetDirectionalDerivative::<Chain>(host.instance, &unknown, 1, &inflow, 1, &1.0, &mut answer)
+    };
+    assert_eq!([ask(0), ask(1), ask(2)], [OK, OK, ERROR]);
 }
