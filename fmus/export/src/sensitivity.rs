@@ -33,7 +33,7 @@ impl<M: Model> Instance<M> {
         self.prepare_derivative(unknowns, knowns)?;
         same_length("seed", seed.len(), "knowns", knowns.len())?;
         same_length("sensitivity", sensitivity.len(), "unknowns", unknowns.len())?;
-        let tangents = self.tangents(|number| {
+        let tangents = self.tangents(&|number| {
             let hits = knowns.iter().zip(seed).filter(|(known, _)| **known == number);
             hits.map(|(_, seed)| seed).sum()
         })?;
@@ -55,7 +55,7 @@ impl<M: Model> Instance<M> {
         same_length("seed", seed.len(), "unknowns", unknowns.len())?;
         same_length("sensitivity", sensitivity.len(), "knowns", knowns.len())?;
         for (place, known) in sensitivity.iter_mut().zip(knowns) {
-            let tangents = self.tangents(|number| if number == *known { 1.0 } else { 0.0 })?;
+            let tangents = self.tangents(&|number| if number == *known { 1.0 } else { 0.0 })?;
             *place = unknowns.iter().zip(seed).map(|(unknown, seed)| seed * tangents.of(*unknown)).sum();
         }
         Ok(())
@@ -79,7 +79,7 @@ impl<M: Model> Instance<M> {
         self.refresh_derivatives()?;
         let states = Layout::<M>::STATES..Layout::<M>::DERIVATIVES;
         let rates = self.dx.clone();
-        let tangents = self.tangents(|number| match number {
+        let tangents = self.tangents(&|number| match number {
             0 => 1.0,
             state if states.contains(&state) => match rates.get(state - states.start) {
                 Value::Real(rate) => rate,
@@ -123,15 +123,17 @@ impl<M: Model> Instance<M> {
         Ok(())
     }
 
-    /// Evaluates the equations with the derivative of each known in the direction.
-    fn tangents(&mut self, direction: impl Fn(usize) -> f64) -> Result<Tangents<M>, Refusal> {
+    /// Evaluates the equations with the derivative of each known in the direction. Compiled once for all callers: the
+    /// equations are the greater part of a library.
+    #[inline(never)]
+    fn tangents(&mut self, direction: &dyn Fn(usize) -> f64) -> Result<Tangents<M>, Refusal> {
         let starting = self.phase == Phase::Initialization;
-        let (jumps, changes) = if starting { self.differences(&direction)? } else { Default::default() };
+        let (jumps, changes) = if starting { self.differences(direction)? } else { Default::default() };
         let Some(memory) = &self.memory else {
             return Err(Refusal::error(NOT_INITIALIZED));
         };
         let seeded = |block: Block| {
-            let (first, direction) = (Layout::<M>::first(block), &direction);
+            let first = Layout::<M>::first(block);
             move |index: usize, value: f64| Dual::new(value, direction(first + index))
         };
         let p: M::Parameters<Dual> = lift(&self.p, seeded(Block::Parameters));
@@ -161,7 +163,7 @@ const STENCIL: [(f64, f64); 6] = [(-3.0, -1.0), (-2.0, 9.0), (-1.0, -45.0), (1.0
 
 impl<M: Model> Instance<M> {
     /// How states and discrete numbers change when initialization is repeated with what is set moved in a direction.
-    fn differences(&mut self, direction: &impl Fn(usize) -> f64) -> Result<(Vec<f64>, Vec<f64>), Refusal> {
+    fn differences(&mut self, direction: &dyn Fn(usize) -> f64) -> Result<(Vec<f64>, Vec<f64>), Refusal> {
         let (p, u, declared, t) = (self.p.clone(), self.u.clone(), self.declared.clone(), self.t);
         let mut h = f64::INFINITY;
         let mut reach = |number: usize, value: Value<'_, f64>| {

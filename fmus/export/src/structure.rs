@@ -108,48 +108,40 @@ fn trace<M: Model>(
         let changing = Dependence::number(How::Discrete);
         discrete[index].keys().map(|number| on(*number).bent()).fold(changing, |a, b| a + b)
     });
-    let at = Point { t: on(0), p: &constants, u: &inputs, x: &states, d: &switched, memory };
-    let mut add = |first: usize, index: usize, set: Dependence| {
-        running[first + index].extend(members(set).map(|(member, how)| (window + member, how)));
-    };
-    let mut index = 0;
-    M::derivatives(&at).each_real(&mut |set| {
-        add(Layout::<M>::DERIVATIVES, index, set);
-        index += 1;
-    });
-    index = 0;
-    M::outputs(&at).each_real(&mut |set| {
-        add(Layout::<M>::OUTPUTS, index, set);
-        index += 1;
-    });
+    let at = Point::<M, _> { t: on(0), p: &constants, u: &inputs, x: &states, d: &switched, memory };
+    for (index, set) in evaluate::<M>(&at).into_iter().enumerate().skip(Layout::<M>::STATE_COUNT) {
+        running[Layout::<M>::STATES + index].extend(members(set).map(|(member, how)| (window + member, how)));
+    }
 
     // When initialization ends, they follow from the start values of p, u and x; d is taken to follow from all of it,
     // so what depends on d depends on everything.
     let everything = Dependence::everything();
-    let unknown = |set: Dependence, of_discrete: bool| if of_discrete { None } else { Some(set) };
     let parameters: M::Parameters<Dependence> = lift(&p, seed(Block::Parameters));
     let states = M::start(&parameters, &inputs, &states);
-    let evaluate = |of_discrete: bool| {
+    let initially = |of_discrete: bool| {
         let d: M::Discrete<Dependence> = lift(&d, |_, _| if of_discrete { everything } else { none });
-        let at = Point { t: on(0), p: &parameters, u: &inputs, x: &states, d: &d, memory };
-        let mut sets = vec![none; initial_count::<M>()];
-        let n = Layout::<M>::STATE_COUNT;
-        states.write_reals(&mut sets[..n]);
-        M::derivatives(&at).write_reals(&mut sets[n..2 * n]);
-        M::outputs(&at).write_reals(&mut sets[2 * n..]);
-        sets
+        evaluate::<M>(&Point { t: on(0), p: &parameters, u: &inputs, x: &states, d: &d, memory })
     };
-    for (index, (with, without)) in evaluate(true).into_iter().zip(evaluate(false)).enumerate() {
+    for (index, (with, without)) in initially(true).into_iter().zip(initially(false)).enumerate() {
         let place = &mut initial[Layout::<M>::STATES + index];
         // Only a dependence on d can make the whole window appear where it did not.
         let of_discrete = with.is_everything() && !without.is_everything();
-        match (unknown(without, of_discrete), place.as_mut()) {
-            (Some(set), Some(known)) => {
-                known.extend(members(set).map(|(member, how)| (window + member, how)));
-            }
-            _ => *place = None,
+        match place.as_mut().filter(|_| !of_discrete) {
+            Some(known) => known.extend(members(without).map(|(member, how)| (window + member, how))),
+            None => *place = None,
         }
     }
+}
+
+/// What x, ẋ and y depend on at a point. Compiled once for all callers: the equations are the greater part of a library.
+#[inline(never)]
+fn evaluate<M: Model>(at: &Point<'_, M, Dependence>) -> Vec<Dependence> {
+    let mut sets = vec![Dependence::number(How::Constant); initial_count::<M>()];
+    let n = Layout::<M>::STATE_COUNT;
+    at.x.write_reals(&mut sets[..n]);
+    M::derivatives(at).write_reals(&mut sets[n..2 * n]);
+    M::outputs(at).write_reals(&mut sets[2 * n..]);
+    sets
 }
 
 fn initial_count<M: Model>() -> usize {
