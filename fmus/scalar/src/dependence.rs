@@ -73,7 +73,9 @@ impl Dependence {
         self.at_least[0] == u64::MAX
     }
 
-    /// The same members, each at least so intricately.
+    /// The same members, each at least so intricately. Not inlined, as below: it stands wherever an equation multiplies,
+    /// and libraries stay small.
+    #[inline(never)]
     fn by(mut self, factor: How) -> Self {
         for level in 0..factor as usize {
             self.at_least[level] |= self.at_least[0];
@@ -87,6 +89,7 @@ impl Dependence {
         self.by(How::Dependent)
     }
 
+    #[inline(never)]
     fn united(mut self, other: Self) -> Self {
         for (mine, theirs) in self.at_least.iter_mut().zip(other.at_least) {
             *mine |= theirs;
