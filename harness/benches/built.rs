@@ -3,6 +3,9 @@
 use std::fmt;
 use std::path::{Path, PathBuf};
 
+use swayless::Fmu;
+use swayless_modeldesc::types::DataType;
+
 /// A built FMU by the version's folder and its file's stem.
 #[derive(Clone)]
 pub struct Built(pub PathBuf);
@@ -14,7 +17,8 @@ impl fmt::Display for Built {
     }
 }
 
-/// Every archive in the folder that `SWAYLESS_FMUS` names, or in `target/fmus`.
+/// Every archive in the folder that `SWAYLESS_FMUS` names, or in `target/fmus`, of an FMU that the harness can make an
+/// instance of: one with clocks is not among them.
 pub fn built() -> Vec<Built> {
     let default = || Path::new(env!("CARGO_MANIFEST_DIR")).join("../target/fmus");
     let folder = std::env::var_os("SWAYLESS_FMUS").map_or_else(default, PathBuf::from);
@@ -23,6 +27,10 @@ pub fn built() -> Vec<Built> {
         .filter_map(|version| folder.join(version).read_dir().ok())
         .flat_map(|entries| entries.filter_map(|entry| Some(Built(entry.ok()?.path()))))
         .filter(|built| built.0.extension().is_some_and(|extension| extension == "fmu"))
+        .filter(|built| {
+            let has_clocks = |fmu: &Fmu| fmu.description().variables.iter().any(|v| v.data_type == DataType::Clock);
+            Fmu::open(&built.0).is_ok_and(|fmu| !has_clocks(&fmu))
+        })
         .collect();
     found.sort_by(|a, b| a.0.cmp(&b.0));
     if found.is_empty() {
