@@ -3,6 +3,7 @@
 import ctypes
 from ctypes import c_double, c_size_t, c_uint32, c_uint64
 
+import fmpy
 import pytest
 from host import HOLD, STEP, sequence
 from raw import DISCARD, ERROR, OK, Library, Raw
@@ -310,3 +311,27 @@ def test_an_input_that_is_not_finite_stops_no_clock(clocked):
                 assert instance.set(sequence(fmu, 0)) == OK
                 assert instance.activate(scheduler.order[0], 0.0) == OK
                 assert instance.activate(scheduler.order[0], float("inf")) == ERROR
+
+
+def test_fmpy_schedules_it(clocked):
+    """FMPy's own binding of scheduled execution computes the partitions that ours does."""
+    fmu, _ = clocked
+    inputs = [clock for clock in fmu.clocks if clock.causality == "input"]
+    outputs = [v for v in fmu.observed() if v.type == "Float64" and not v.shape]
+    references = [v.valueReference for v in outputs]
+    api = fmpy.instantiate_fmu(fmu.folder, fmu.description, "ScheduledExecution")
+    try:
+        api.enterInitializationMode()
+        api.exitInitializationMode()
+        with Library(fmu) as library, Clocked(library, "ScheduledExecution") as instance:
+            assert instance.enter_initialization() == OK
+            assert instance.call("ExitInitializationMode") == OK
+            for k in range(20):
+                for clock in inputs:
+                    api.activateModelPartition(clock.valueReference, k * STEP)
+                    assert instance.activate(clock, k * STEP) == OK
+                ours = b"".join(instance.get(outputs).values())
+                assert bytes((c_double * len(references))(*api.getFloat64(references))) == ours
+        api.terminate()
+    finally:
+        api.freeInstance()
