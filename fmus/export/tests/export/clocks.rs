@@ -248,3 +248,16 @@ fn outputs_of_every_kind_have_dependencies() {
     assert_eq!((count("held"), count("samples")), (1, 0));
     assert_eq!(count("crossing"), 2, "what a clock depends on is not traced: on time and the input");
 }
+
+#[test]
+fn what_was_computed_for_looking_is_given_back() {
+    let host = Host::<Sampler>::new(CLOCKED);
+    host.initialize();
+    assert_eq!(host.set("signal", 0.5), OK);
+    assert_eq!((host.tick("sample"), host.get("held"), host.integer("samples")), (OK, 0.5, 1));
+    // Set again before the event is over: one sample, of what is set last.
+    assert_eq!(host.set("signal", 0.7), OK);
+    assert_eq!((host.get("held"), host.integer("samples")), (0.7, 1));
+    host.update();
+    assert_eq!((host.get("held"), host.integer("samples")), (0.7, 1));
+}

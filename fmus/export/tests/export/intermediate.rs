@@ -4,6 +4,7 @@ use std::cell::RefCell;
 use std::rc::Rc;
 
 use swayless_export::abi::fmi3::{DISCARD, ERROR, OK};
+use swayless_export::fmi3;
 
 use crate::chain::Chain;
 use crate::host::{CO_SIMULATION, Host, Wish, on_update};
@@ -103,4 +104,18 @@ fn what_fails_within_fails_the_step() {
     host.initialize();
     assert_eq!(host.step(0.0, 0.5), ERROR);
     assert_eq!(host.reset(), OK);
+}
+
+#[test]
+fn nothing_is_freed_within_a_callback() {
+    let host = calling(CO_SIMULATION, |host, _, _| {
+        // SAFETY: an instance; freeing it here is what an importer must not do.
+        unsafe { fmi3::fmi3FreeInstance::<Chain>(host.instance) };
+        None
+    });
+    let host = host.borrow();
+    let host = host.as_ref().unwrap();
+    host.initialize();
+    assert_eq!(host.step(0.0, 0.5), OK, "{:?}", host.log);
+    assert!(host.get("double").is_finite());
 }
