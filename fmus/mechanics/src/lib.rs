@@ -4,11 +4,13 @@
 //! velocity across the cable **w**; a crane is only the map from its joint rates to its pivot's velocity.
 
 mod boom;
+mod double_payload;
 mod limit;
 mod payload;
 mod swing;
 
 pub use boom::{Boom, BoomRates};
+pub use double_payload::{DoublePayload, DoubleSuspension, DoubleVelocity};
 pub use limit::Limits;
 pub use payload::{Payload, Suspension};
 pub use swing::{Swing, SwingFrame};

@@ -47,7 +47,7 @@ impl<R: Scalar> Payload<R> {
     /// n/|n| and of w⊥ = w − s n/|n|: ṅ is scaled by |n|, and ẇ carries s along with s ṅ, which keeps |n| and s as they
     /// are. With n and w themselves an error of |n| would feed itself while the pivot moves along the cable.
     pub fn rates(&self, suspension: &Suspension<R>, pull: Vector<R>, damping: R) -> Self {
-        let size = self.direction.dot(&self.direction).sqrt();
+        let size = self.size();
         let n = self.direction / size;
         let Suspension { pivot: v, length, length_rate } = *suspension;
         let n_rate = across(self.velocity - v, n) / length;
@@ -71,11 +71,16 @@ impl<R: Scalar> Payload<R> {
 
     /// n/|n|: integration lets the length drift by its error.
     pub fn unit(&self) -> Vector<R> {
-        self.direction / self.direction.dot(&self.direction).sqrt()
+        self.direction / self.size()
+    }
+
+    /// |n|.
+    pub(crate) fn size(&self) -> R {
+        self.direction.dot(&self.direction).sqrt()
     }
 }
 
 /// The part of u across the unit vector n.
-fn across<R: Scalar>(u: Vector<R>, n: Vector<R>) -> Vector<R> {
+pub(crate) fn across<R: Scalar>(u: Vector<R>, n: Vector<R>) -> Vector<R> {
     u - n * n.dot(&u)
 }

@@ -2,20 +2,12 @@
 
 #![allow(missing_docs, reason = "a test binary has no readers of its documentation")]
 
+mod common;
+
+use common::spread;
 use swayless_mechanics::{Boom, BoomRates, Payload, Suspension, Swing, SwingFrame, Vector};
 
 const G: f64 = 9.81;
-
-/// Well spread numbers in (−1, 1): the i-th point of an additive recurrence with the square roots of primes.
-fn spread(i: usize) -> impl FnMut() -> f64 {
-    let primes =
-        [2.0, 3.0, 5.0, 7.0, 11.0, 13.0, 17.0, 19.0, 23.0, 29.0, 31.0, 37.0, 41.0, 43.0, 47.0, 53.0, 59.0, 61.0];
-    let mut next = primes.into_iter();
-    move || {
-        let root: f64 = next.next().map_or(0.0, f64::sqrt);
-        2.0 * (root * (i + 1) as f64).fract() - 1.0
-    }
-}
 
 /// Joints, their rates and accelerations at one time.
 struct Pose {
