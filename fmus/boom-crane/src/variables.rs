@@ -1,6 +1,14 @@
 //! The variables of the boom crane.
 
+use swayless_crane::{
+    CableStates, HoistParameters, HoistStates, HoistStop, LuffParameters, LuffStates, LuffStop, PayloadStates,
+    Position, SlewStates, SwingOutputs, SwingParameters, Wind,
+};
 use swayless_export::{Scalar, Variables};
+use swayless_mechanics::Limits;
+
+/// No boom is shorter (m).
+const SHORTEST: f64 = 1e-3;
 
 #[derive(Clone, Variables)]
 pub struct Parameters<R: Scalar> {
@@ -16,9 +24,15 @@ pub struct Parameters<R: Scalar> {
 
 #[derive(Clone, Variables)]
 pub struct BoomParameters<R: Scalar> {
-    /// Length of the boom, from its foot to its tip (r).
-    #[variable(unit = "m", start = 18.0, min = 1e-3, max = 1e4)]
+    /// Length of the boom, from its foot to its tip (r), where its extension is 0.
+    #[variable(unit = "m", start = 18.0, min = SHORTEST, max = 1e4)]
     pub length: R,
+    /// Least extension of the telescoping boom, where it stops; in any case it stops before its length is 0.
+    #[variable(unit = "m", start = -1e4, min = -1e4, max = 1e4)]
+    pub extension_min: R,
+    /// Greatest extension of the telescoping boom, where it stops.
+    #[variable(unit = "m", start = 1e4, min = -1e4, max = 1e4)]
+    pub extension_max: R,
     /// Distance of the slewing axis and boom foot ahead of the base's reference point (a).
     #[variable(unit = "m", min = -1e4, max = 1e4)]
     pub offset: R,
@@ -27,50 +41,18 @@ pub struct BoomParameters<R: Scalar> {
     pub height: R,
 }
 
-#[derive(Clone, Variables)]
-pub struct LuffParameters<R: Scalar> {
-    /// Least luff angle, where the boom stops.
-    #[variable(unit = "rad", min = -1.57, max = 1.57)]
-    pub angle_min: R,
-    /// Greatest luff angle, where the boom stops.
-    #[variable(unit = "rad", start = 1.5, min = -1.57, max = 1.57)]
-    pub angle_max: R,
-}
-
-#[derive(Clone, Variables)]
-pub struct HoistParameters<R: Scalar> {
-    /// Least suspension length, where the hoist stops.
-    #[variable(unit = "m", start = 0.5, min = 1e-3)]
-    pub length_min: R,
-    /// Greatest suspension length, where the hoist stops.
-    #[variable(unit = "m", start = 200.0, min = 1e-3, max = 1e4)]
-    pub length_max: R,
+impl BoomParameters<f64> {
+    /// Between which extensions the boom telescopes.
+    pub fn limits(&self) -> Limits {
+        Limits { min: self.extension_min.max(SHORTEST - self.length), max: self.extension_max }
+    }
 }
 
 #[derive(Clone, Variables)]
 pub struct PayloadParameters<R: Scalar> {
-    /// Mass of the payload; it matters to wind only.
+    /// Mass of the payload; it matters to wind and tension only.
     #[variable(unit = "kg", start = 1000.0, min = 1e-6, max = 1e9)]
     pub mass: R,
-}
-
-#[derive(Clone, Variables)]
-pub struct SwingParameters<R: Scalar> {
-    /// Damping of the swing (d); for small swing 2ζω.
-    #[variable(unit = "1/s", min = 0.0, max = 1e3)]
-    pub damping: R,
-    /// Radial swing at the start.
-    #[variable(unit = "rad", min = -1.57, max = 1.57)]
-    pub radial_start: R,
-    /// Tangential swing at the start.
-    #[variable(unit = "rad", min = -std::f64::consts::PI, max = std::f64::consts::PI)]
-    pub tangential_start: R,
-    /// Rate of the radial swing at the start.
-    #[variable(unit = "rad/s", min = -100.0, max = 100.0)]
-    pub radial_rate_start: R,
-    /// Rate of the tangential swing at the start.
-    #[variable(unit = "rad/s", min = -100.0, max = 100.0)]
-    pub tangential_rate_start: R,
 }
 
 #[derive(Clone, Variables)]
@@ -79,6 +61,7 @@ pub struct Inputs<R: Scalar> {
     pub slew: SlewInputs<R>,
     pub luff: LuffInputs<R>,
     pub hoist: HoistInputs<R>,
+    pub boom: BoomInputs<R>,
     pub wind: Wind<R>,
 }
 
@@ -88,6 +71,10 @@ pub struct BaseInputs<R: Scalar> {
     /// Yaw rate of the base, positive counter-clockwise seen from above.
     #[variable(unit = "rad/s")]
     pub yaw_rate: R,
+    pub acceleration: BaseAcceleration<R>,
+    /// Yaw acceleration of the base; it matters to the tension only.
+    #[variable(unit = "rad/s2")]
+    pub yaw_acceleration: R,
 }
 
 #[derive(Clone, Variables)]
@@ -101,10 +88,23 @@ pub struct BaseVelocity<R: Scalar> {
 }
 
 #[derive(Clone, Variables)]
+pub struct BaseAcceleration<R: Scalar> {
+    /// Acceleration of the base's reference point, world x; it matters to the tension only.
+    #[variable(unit = "m/s2")]
+    pub x: R,
+    /// Acceleration of the base's reference point, world y; it matters to the tension only.
+    #[variable(unit = "m/s2")]
+    pub y: R,
+}
+
+#[derive(Clone, Variables)]
 pub struct SlewInputs<R: Scalar> {
     /// Slew rate relative to the base, positive counter-clockwise seen from above.
     #[variable(unit = "rad/s")]
     pub rate: R,
+    /// Time derivative of the slew rate; it matters to the tension only.
+    #[variable(unit = "rad/s2")]
+    pub acceleration: R,
 }
 
 #[derive(Clone, Variables)]
@@ -112,6 +112,9 @@ pub struct LuffInputs<R: Scalar> {
     /// Luff rate, positive upwards.
     #[variable(unit = "rad/s")]
     pub rate: R,
+    /// Time derivative of the luff rate; it matters to the tension only.
+    #[variable(unit = "rad/s2")]
+    pub acceleration: R,
 }
 
 #[derive(Clone, Variables)]
@@ -119,19 +122,19 @@ pub struct HoistInputs<R: Scalar> {
     /// Rate of the suspension length; positive lowers the payload.
     #[variable(unit = "m/s")]
     pub rate: R,
+    /// Time derivative of the hoist rate; it matters to the tension only.
+    #[variable(unit = "m/s2")]
+    pub acceleration: R,
 }
 
 #[derive(Clone, Variables)]
-pub struct Wind<R: Scalar> {
-    /// Force on the payload, world x.
-    #[variable(unit = "N")]
-    pub x: R,
-    /// Force on the payload, world y.
-    #[variable(unit = "N")]
-    pub y: R,
-    /// Force on the payload, upwards.
-    #[variable(unit = "N")]
-    pub z: R,
+pub struct BoomInputs<R: Scalar> {
+    /// Rate of the boom's extension, positive outwards.
+    #[variable(unit = "m/s")]
+    pub rate: R,
+    /// Time derivative of the boom rate; it matters to the tension only.
+    #[variable(unit = "m/s2")]
+    pub acceleration: R,
 }
 
 #[derive(Clone, Variables)]
@@ -140,6 +143,7 @@ pub struct States<R: Scalar> {
     pub slew: SlewStates<R>,
     pub luff: LuffStates<R>,
     pub hoist: HoistStates<R>,
+    pub boom: BoomStates<R>,
     pub cable: CableStates<R>,
     pub payload: PayloadStates<R>,
 }
@@ -158,111 +162,38 @@ pub struct BaseStates<R: Scalar> {
 }
 
 #[derive(Clone, Variables)]
-pub struct SlewStates<R: Scalar> {
-    /// Slew angle relative to the base.
-    #[variable(unit = "rad", output)]
-    pub angle: R,
-}
-
-#[derive(Clone, Variables)]
-pub struct LuffStates<R: Scalar> {
-    /// Angle of the boom above the horizontal.
-    #[variable(unit = "rad", output, start = std::f64::consts::FRAC_PI_4)]
-    pub angle: R,
-}
-
-#[derive(Clone, Variables)]
-pub struct HoistStates<R: Scalar> {
-    /// Suspension length, from the boom tip to the payload.
-    #[variable(unit = "m", output, start = 10.0, min = 1e-3, nominal = 10.0)]
-    pub length: R,
-}
-
-#[derive(Clone, Variables)]
-pub struct CableStates<R: Scalar> {
-    /// Unit vector from the boom tip to the payload, in the world frame (n).
-    #[variable(unit = "1", calculated)]
-    pub direction: [R; 3],
-}
-
-#[derive(Clone, Variables)]
-pub struct PayloadStates<R: Scalar> {
-    /// Velocity of the payload across the cable, in the world frame (w).
-    #[variable(unit = "m/s", calculated)]
-    pub velocity_across: [R; 3],
+pub struct BoomStates<R: Scalar> {
+    /// Extension of the telescoping boom beyond its length.
+    #[variable(unit = "m", output)]
+    pub extension: R,
 }
 
 #[derive(Clone, Variables)]
 pub struct Outputs<R: Scalar> {
     pub swing: SwingOutputs<R>,
-    pub tip: TipOutputs<R>,
-    pub payload: PayloadOutputs<R>,
-}
-
-#[derive(Clone, Variables)]
-pub struct SwingOutputs<R: Scalar> {
-    /// Radial swing, positive away from the slewing axis.
-    #[variable(unit = "rad")]
-    pub radial: R,
-    /// Tangential swing, positive towards increasing slew.
-    #[variable(unit = "rad")]
-    pub tangential: R,
-    /// Time derivative of the radial swing.
-    #[variable(unit = "rad/s")]
-    pub radial_rate: R,
-    /// Time derivative of the tangential swing.
-    #[variable(unit = "rad/s")]
-    pub tangential_rate: R,
-    /// Amplitude the payload would swing with if the tip kept its velocity and the hoist stopped.
-    #[variable(unit = "rad")]
-    pub amplitude: R,
-}
-
-#[derive(Clone, Variables)]
-pub struct TipOutputs<R: Scalar> {
-    /// Position of the boom tip, world x.
-    #[variable(unit = "m")]
-    pub x: R,
-    /// Position of the boom tip, world y.
-    #[variable(unit = "m")]
-    pub y: R,
-    /// Height of the boom tip.
-    #[variable(unit = "m")]
-    pub z: R,
-}
-
-#[derive(Clone, Variables)]
-pub struct PayloadOutputs<R: Scalar> {
-    /// Position of the payload, world x.
-    #[variable(unit = "m")]
-    pub x: R,
-    /// Position of the payload, world y.
-    #[variable(unit = "m")]
-    pub y: R,
-    /// Height of the payload.
-    #[variable(unit = "m")]
-    pub z: R,
+    pub tip: Position<R>,
+    pub payload: Position<R>,
+    /// Tension of the cable, with the accelerations that are given; without them, rates are taken as constant.
+    #[variable(unit = "N")]
+    pub tension: R,
 }
 
 #[derive(Clone, Variables)]
 pub struct Discrete {
-    /// Whether luff or hoist stands at a limit, or an input is beyond what any crane does and was cut there.
+    /// Whether luff, hoist or telescope stands at a limit, or an input is beyond what any crane does and was cut there.
     #[variable(output)]
     pub at_limit: bool,
+    /// Whether the tension is negative, so that a cable would be slack; the motion is computed as if it were taut.
+    #[variable(output)]
+    pub slack: bool,
     pub luff: LuffStop,
     pub hoist: HoistStop,
+    pub boom: BoomStop,
 }
 
 #[derive(Clone, Variables)]
-pub struct LuffStop {
-    /// Whether the boom stands at a limit.
-    #[variable(depends_on = ["luff.angle", "luff.rate"])]
-    pub stopped: bool,
-}
-
-#[derive(Clone, Variables)]
-pub struct HoistStop {
-    /// Whether the hoist stands at a limit.
-    #[variable(depends_on = ["hoist.length", "hoist.rate"])]
+pub struct BoomStop {
+    /// Whether the telescope stands at a limit.
+    #[variable(depends_on = ["boom.extension", "boom.rate"])]
     pub stopped: bool,
 }

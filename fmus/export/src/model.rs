@@ -170,6 +170,11 @@ pub struct Event<'a, M: Model> {
 }
 
 impl<M: Model> Event<'_, M> {
+    /// The point that equations are evaluated at, as it is now.
+    pub fn point(&self) -> Point<'_, M, f64> {
+        Point { t: self.t, p: self.p, u: self.u, x: self.x, d: self.d, memory: self.memory }
+    }
+
     /// Ticks an output clock.
     pub fn fire(&mut self, clock: usize) {
         *self.fired |= 1 << clock;

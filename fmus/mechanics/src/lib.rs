@@ -9,7 +9,7 @@ mod limit;
 mod payload;
 mod swing;
 
-pub use boom::{Boom, BoomRates};
+pub use boom::{Boom, BoomAccelerations, BoomRates};
 pub use double_payload::{DoublePayload, DoubleSuspension, DoubleVelocity};
 pub use limit::Limits;
 pub use payload::{Payload, Suspension};

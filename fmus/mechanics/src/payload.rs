@@ -58,6 +58,19 @@ impl<R: Scalar> Payload<R> {
         Self { direction: n_rate * size, velocity: w_rate }
     }
 
+    /// The cable's tension per mass of the payload (m/s²): n·(g + F/m) + ℓ |ṅ|² − n·v̇ − ℓ̈, where v̇ is `acceleration`,
+    /// of the pivot. Where it is negative, a cable would be slack.
+    pub fn tension(
+        &self,
+        suspension: &Suspension<R>,
+        pull: Vector<R>,
+        acceleration: Vector<R>,
+        length_acceleration: R,
+    ) -> R {
+        let rate = self.direction_rate(suspension);
+        self.unit().dot(&(pull - acceleration)) + rate.dot(&rate) * suspension.length - length_acceleration
+    }
+
     /// The amplitude (rad) the payload would swing with if the pivot kept its present velocity and the hoist stopped:
     /// 2·asin √min(1, sin²(θ/2) + |w − v⊥|²/(4gℓ)), with sin²(θ/2) = |n + z|²/4 so that small swing keeps its digits.
     pub fn amplitude(&self, suspension: &Suspension<R>, gravity: R) -> R {

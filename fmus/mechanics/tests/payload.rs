@@ -5,7 +5,7 @@
 mod common;
 
 use common::spread;
-use swayless_mechanics::{Boom, BoomRates, Payload, Suspension, Swing, SwingFrame, Vector};
+use swayless_mechanics::{Boom, BoomAccelerations, BoomRates, Payload, Suspension, Swing, SwingFrame, Vector};
 
 const G: f64 = 9.81;
 
@@ -13,11 +13,14 @@ const G: f64 = 9.81;
 struct Pose {
     boom: Boom<f64>,
     rates: BoomRates<f64>,
-    yaw_acceleration: f64,
-    slew_acceleration: f64,
-    luff_acceleration: f64,
-    base_acceleration: [f64; 2],
+    accelerations: BoomAccelerations<f64>,
+    /// ℓ, ℓ̇, ℓ̈.
     length: [f64; 3],
+}
+
+fn moving(next: &mut impl FnMut() -> f64, turning: f64) -> BoomRates<f64> {
+    let base = [next(), next()];
+    BoomRates { base, yaw: turning * next(), slew: turning * next(), luff: turning * next(), length: next() }
 }
 
 fn pose(next: &mut impl FnMut() -> f64) -> Pose {
@@ -31,40 +34,50 @@ fn pose(next: &mut impl FnMut() -> f64) -> Pose {
             offset: 0.8,
             height: 1.5,
         },
-        rates: BoomRates { base: [next(), next()], yaw: 0.5 * next(), slew: 0.5 * next(), luff: 0.5 * next() },
-        yaw_acceleration: next(),
-        slew_acceleration: next(),
-        luff_acceleration: next(),
-        base_acceleration: [next(), next()],
-        length: [5.0 + next(), next(), 0.0],
+        rates: moving(next, 0.5),
+        accelerations: moving(next, 1.0),
+        length: [5.0 + next(), next(), next()],
     }
 }
 
-/// β̈ and φ̈ of the full nonlinear equations (2.13)–(2.14), in the order β, then φ, for the tip's acceleration in the
-/// turning frame (thesis 2.1; derived by Lagrange and by projection).
-fn thesis(pose: &Pose, swing: Swing<f64>, rates: Swing<f64>) -> Swing<f64> {
+/// The tip's acceleration in the turning frame (thesis 2.1; derived there from the reach R = r cos γ).
+fn tip_acceleration(pose: &Pose) -> [f64; 3] {
     let (r, a) = (pose.boom.length, pose.boom.offset);
     let (theta, q) = (pose.boom.slew, pose.boom.yaw + pose.boom.slew);
-    let psi_rate = pose.rates.yaw;
+    let BoomRates { yaw: psi_rate, luff: luff_rate, length: r_rate, .. } = pose.rates;
+    let BoomAccelerations {
+        base: [x, y], yaw: psi_acceleration, luff: luff_acceleration, length: r_acceleration, ..
+    } = pose.accelerations;
     let omega = pose.rates.yaw + pose.rates.slew;
-    let omega_rate = pose.yaw_acceleration + pose.slew_acceleration;
+    let omega_rate = pose.accelerations.yaw + pose.accelerations.slew;
     let (sin_luff, cos_luff) = pose.boom.luff.sin_cos();
-    let (luff_rate, luff_acceleration) = (pose.rates.luff, pose.luff_acceleration);
     let reach = r * cos_luff;
-    let reach_rate = -r * luff_rate * sin_luff;
-    let reach_acceleration = -r * luff_acceleration * sin_luff - r * luff_rate.powi(2) * cos_luff;
-    let [x, y] = pose.base_acceleration;
+    let reach_rate = r_rate * cos_luff - r * luff_rate * sin_luff;
+    let reach_acceleration = r_acceleration * cos_luff
+        - 2.0 * r_rate * luff_rate * sin_luff
+        - r * luff_acceleration * sin_luff
+        - r * luff_rate.powi(2) * cos_luff;
     let a_r = x * q.cos() + y * q.sin() - a * psi_rate.powi(2) * theta.cos()
-        + a * pose.yaw_acceleration * theta.sin()
+        + a * psi_acceleration * theta.sin()
         + reach_acceleration
         - reach * omega.powi(2);
     let a_t = -x * q.sin()
         + y * q.cos()
         + a * psi_rate.powi(2) * theta.sin()
-        + a * pose.yaw_acceleration * theta.cos()
+        + a * psi_acceleration * theta.cos()
         + reach * omega_rate
         + 2.0 * reach_rate * omega;
-    let a_z = r * luff_acceleration * cos_luff - r * luff_rate.powi(2) * sin_luff;
+    let a_z = r_acceleration * sin_luff + 2.0 * r_rate * luff_rate * cos_luff + r * luff_acceleration * cos_luff
+        - r * luff_rate.powi(2) * sin_luff;
+    [a_r, a_t, a_z]
+}
+
+/// β̈ and φ̈ of the full nonlinear equations (2.13)–(2.14), in the order β, then φ (thesis 2.1; derived by Lagrange and
+/// by projection).
+fn thesis(pose: &Pose, swing: Swing<f64>, rates: Swing<f64>) -> Swing<f64> {
+    let [a_r, a_t, a_z] = tip_acceleration(pose);
+    let omega = pose.rates.yaw + pose.rates.slew;
+    let omega_rate = pose.accelerations.yaw + pose.accelerations.slew;
     let [l, l_rate, _] = pose.length;
     let ((sin_b, cos_b), (sin_p, cos_p)) = (swing.tangential.sin_cos(), swing.radial.sin_cos());
     let (b, p) = (rates.tangential, rates.radial);
@@ -90,14 +103,16 @@ fn later(pose: &Pose, dt: f64) -> (Boom<f64>, BoomRates<f64>) {
     let mut rates = pose.rates;
     for i in 0..2 {
         boom.base[i] += dt * pose.rates.base[i];
-        rates.base[i] += dt * pose.base_acceleration[i];
+        rates.base[i] += dt * pose.accelerations.base[i];
     }
-    boom.yaw += dt * (pose.rates.yaw + 0.5 * dt * pose.yaw_acceleration);
-    boom.slew += dt * (pose.rates.slew + 0.5 * dt * pose.slew_acceleration);
-    boom.luff += dt * (pose.rates.luff + 0.5 * dt * pose.luff_acceleration);
-    rates.yaw += dt * pose.yaw_acceleration;
-    rates.slew += dt * pose.slew_acceleration;
-    rates.luff += dt * pose.luff_acceleration;
+    boom.yaw += dt * (pose.rates.yaw + 0.5 * dt * pose.accelerations.yaw);
+    boom.slew += dt * (pose.rates.slew + 0.5 * dt * pose.accelerations.slew);
+    boom.luff += dt * (pose.rates.luff + 0.5 * dt * pose.accelerations.luff);
+    boom.length += dt * (pose.rates.length + 0.5 * dt * pose.accelerations.length);
+    rates.length += dt * pose.accelerations.length;
+    rates.yaw += dt * pose.accelerations.yaw;
+    rates.slew += dt * pose.accelerations.slew;
+    rates.luff += dt * pose.accelerations.luff;
     (boom, rates)
 }
 
@@ -142,6 +157,7 @@ fn rates_agree_with_the_thesis_at_any_state() {
             };
             let n = frame.direction(swing);
             let n_rate = frame.direction_rate(swing, rates) + up.cross(&n) * omega;
+            // Whatever ℓ̈ is: the rate that is tested knows no acceleration.
             boom.tip_velocity(&frame, &boom_rates) + n * length_rate + n_rate * (length + s * length_rate)
         };
         // Fourth order, so that its error is far below what is tested.
@@ -151,6 +167,37 @@ fn rates_agree_with_the_thesis_at_any_state() {
         let expected = across(acceleration) - n_rate * n.dot(&v) - n * n_rate.dot(&v);
         let error = (found.velocity - expected).norm();
         assert!(error < 1e-10 * (1.0 + expected.norm()), "state {i}: {error}");
+    }
+}
+
+/// T/m by the thesis's angles (order β, then φ), from the projection of Newton's law on the cable.
+#[test]
+fn tension_agrees_with_the_thesis_at_any_state() {
+    for i in 0..500 {
+        let mut next = spread(i);
+        let pose = pose(&mut next);
+        let swing = Swing { radial: 0.9 * next(), tangential: 0.9 * next() };
+        let rates = Swing { radial: next(), tangential: next() };
+        let frame = pose.boom.swing_frame(&pose.rates);
+        let omega = pose.rates.yaw + pose.rates.slew;
+        let up = Vector::new(0.0, 0.0, 1.0);
+        let n = frame.direction(swing);
+        let n_rate = frame.direction_rate(swing, rates) + up.cross(&n) * omega;
+        let pivot = pose.boom.tip_velocity(&frame, &pose.rates);
+        let [length, length_rate, length_acceleration] = pose.length;
+        let suspension = Suspension { pivot, length, length_rate };
+        let payload = Payload { direction: n, velocity: n_rate * length + pivot - n * n.dot(&pivot) };
+        let acceleration = pose.boom.tip_acceleration(&frame, &pose.rates, &pose.accelerations);
+        let found = payload.tension(&suspension, -up * G, acceleration, length_acceleration);
+
+        let [a_r, a_t, a_z] = tip_acceleration(&pose);
+        let ((sin_b, cos_b), (sin_p, cos_p)) = (swing.tangential.sin_cos(), swing.radial.sin_cos());
+        let (b, p) = (rates.tangential, rates.radial);
+        let expected = -a_r * sin_p - a_t * cos_p * sin_b + (G + a_z) * cos_p * cos_b - length_acceleration
+            + length * (p.powi(2) + b.powi(2) * cos_p.powi(2))
+            + length * omega.powi(2) * (sin_p.powi(2) + cos_p.powi(2) * sin_b.powi(2))
+            + 2.0 * omega * length * (b * cos_b * cos_p * sin_p - p * sin_b);
+        assert!((found - expected).abs() < 1e-12 * (1.0 + expected.abs()), "state {i}: {found} and {expected}");
     }
 }
 
