@@ -1,10 +1,11 @@
 //! `#[derive(Variables)]`.
 
 use proc_macro2::TokenStream;
-use quote::{quote, quote_spanned};
+use quote::{format_ident, quote, quote_spanned};
 use syn::spanned::Spanned;
-use syn::{Data, DeriveInput, Error, Expr, Fields, Result};
+use syn::{Data, DeriveInput, Error, Expr, Fields, LitStr, Result};
 
+use crate::attributes::Attributes;
 use crate::field::{Kind, Leaf, Variable};
 
 pub fn expand(input: DeriveInput) -> Result<TokenStream> {
@@ -43,7 +44,7 @@ pub fn expand(input: DeriveInput) -> Result<TokenStream> {
             fn start() -> Self {
                 Self { #(#idents: #starts),* }
             }
-            fn declare(into: &mut ::swayless_export::Declarer<'_>) {
+            fn declare(into: &mut ::swayless_export::Declarer) {
                 #(#declares)*
             }
             fn get(&self, index: usize) -> ::swayless_export::Value<'_, R> {
@@ -191,55 +192,52 @@ fn declare(variable: &Variable) -> Result<TokenStream> {
         Leaf::Text => quote! { ::swayless_export::Kind::Text },
         Leaf::Enumeration(of) => quote! { ::swayless_export::Kind::enumeration::<#of>() },
     };
-    let unit = match &attributes.unit {
-        // A constant, so that an unknown unit fails to compile at its place.
-        Some(unit) => quote_spanned! { unit.span() =>
-            Some(const { ::swayless_export::Unit::named(#unit) })
-        },
-        None => quote! { None },
-    };
-    let number = |value: &Option<Expr>| match value {
-        Some(value) => quote! { Some((#value) as f64) },
-        None => quote! { None },
-    };
-    let (min, max, nominal) = (number(&attributes.min), number(&attributes.max), number(&attributes.nominal));
     let description = &variable.description;
-    let (output, tunable) = (attributes.output, attributes.tunable);
-    let (discrete, calculated) = (attributes.discrete, attributes.calculated);
     if matches!(leaf, Leaf::Size) && (attributes.min.is_none() || attributes.max.is_none()) {
         return Err(Error::new(variable.ident.span(), "a structural parameter has min and max"));
     }
     if attributes.length.is_some() && !matches!(variable.kind, Kind::Array(..)) {
         return Err(Error::new(variable.ident.span(), "only an array has a length"));
     }
-    let text = |value: &Option<syn::LitStr>| match value {
-        Some(value) => quote! { Some(#value) },
-        None => quote! { None },
+    let said = said(attributes);
+    Ok(quote! {{
+        let declaration = into.variable(#name, #description, #kind, #dimension);
+        #(declaration.#said;)*
+    }})
+}
+
+/// What the attributes say, as assignments to the fields of a declaration.
+fn said(attributes: &Attributes) -> Vec<TokenStream> {
+    let number = |field: &str, value: &Option<Expr>| {
+        let field = format_ident!("{field}");
+        value.as_ref().map(|value| quote! { #field = Some((#value) as f64) })
     };
-    let (length, alias, clock) = (text(&attributes.length), text(&attributes.alias), text(&attributes.clock));
-    let depends_on = match &attributes.depends_on {
-        Some(names) => quote! { Some(&#names) },
-        None => quote! { None },
+    let text = |field: &str, value: &Option<LitStr>| {
+        let field = format_ident!("{field}");
+        value.as_ref().map(|value| quote! { #field = Some(#value) })
     };
-    Ok(quote! {
-        into.variable(::swayless_export::Declaration {
-            name: ::std::string::String::from(#name),
-            description: #description,
-            kind: #kind,
-            dimension: #dimension,
-            unit: #unit,
-            min: #min,
-            max: #max,
-            nominal: #nominal,
-            output: #output,
-            tunable: #tunable,
-            discrete: #discrete,
-            calculated: #calculated,
-            length: #length,
-            alias: #alias,
-            clock: #clock,
-            depends_on: #depends_on,
-            first: 0,
-        });
-    })
+    let flag = |field: &str, value: bool| {
+        let field = format_ident!("{field}");
+        value.then(|| quote! { #field = true })
+    };
+    let unit = attributes.unit.as_ref().map(|unit| {
+        // A constant, so that an unknown unit fails to compile at its place.
+        quote_spanned! { unit.span() => unit = Some(const { &::swayless_export::Unit::named(#unit) }) }
+    });
+    let depends_on = attributes.depends_on.as_ref().map(|names| quote! { depends_on = Some(&#names) });
+    let said = [
+        unit,
+        number("min", &attributes.min),
+        number("max", &attributes.max),
+        number("nominal", &attributes.nominal),
+        flag("output", attributes.output),
+        flag("tunable", attributes.tunable),
+        flag("discrete", attributes.discrete),
+        flag("calculated", attributes.calculated),
+        text("length", &attributes.length),
+        text("alias", &attributes.alias),
+        text("clock", &attributes.clock),
+        depends_on,
+    ];
+    said.into_iter().flatten().collect()
 }

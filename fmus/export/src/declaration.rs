@@ -44,7 +44,7 @@ pub struct Declaration {
     /// The length of an array.
     pub dimension: Option<usize>,
     /// Its unit.
-    pub unit: Option<Unit>,
+    pub unit: Option<&'static Unit>,
     /// The least value.
     pub min: Option<f64>,
     /// The greatest value.
@@ -84,32 +84,55 @@ impl Declaration {
 }
 
 /// Collects declarations and puts the names of groups before them.
-pub struct Declarer<'a> {
+#[derive(Default)]
+pub struct Declarer {
     prefix: String,
-    next: usize,
-    sink: &'a mut dyn FnMut(Declaration),
+    found: Vec<Declaration>,
 }
 
-impl<'a> Declarer<'a> {
-    /// A walk that hands every declaration to `sink`.
-    pub fn new(sink: &'a mut dyn FnMut(Declaration)) -> Self {
-        Self { prefix: String::new(), next: 0, sink }
-    }
-
-    /// Takes a variable.
-    pub fn variable(&mut self, mut declaration: Declaration) {
-        declaration.name.insert_str(0, &self.prefix);
-        declaration.first = self.next;
-        self.next += declaration.count();
-        (self.sink)(declaration);
+impl Declarer {
+    /// Takes a variable with nothing said but this; what else is said of it is set in place, so that a declaration is
+    /// little code: there are many.
+    pub fn variable(
+        &mut self,
+        name: &str,
+        description: &'static str,
+        kind: Kind,
+        dimension: Option<usize>,
+    ) -> &mut Declaration {
+        let first = self.found.last().map_or(0, |last| last.first + last.count());
+        self.found.push_mut(Declaration {
+            name: [&self.prefix, name].concat(),
+            description,
+            kind,
+            dimension,
+            unit: None,
+            min: None,
+            max: None,
+            nominal: None,
+            output: false,
+            tunable: false,
+            discrete: false,
+            calculated: false,
+            length: None,
+            alias: None,
+            clock: None,
+            depends_on: None,
+            first,
+        })
     }
 
     /// Takes the variables of a group.
-    pub fn group(&mut self, name: &str, declare: impl FnOnce(&mut Declarer<'_>)) {
+    pub fn group(&mut self, name: &str, declare: fn(&mut Self)) {
         let length = self.prefix.len();
         self.prefix.push_str(name);
         self.prefix.push('.');
         declare(self);
         self.prefix.truncate(length);
+    }
+
+    /// All that was declared.
+    pub fn into_declarations(self) -> Vec<Declaration> {
+        self.found
     }
 }

@@ -113,9 +113,7 @@ impl<M: Model> Layout<M> {
 
     /// The declarations of a block; time, derivatives and indicators have none of their own.
     pub fn declarations(block: Block) -> Vec<Declaration> {
-        let mut found = Vec::new();
-        let mut push = |declaration| found.push(declaration);
-        let mut into = Declarer::new(&mut push);
+        let mut into = Declarer::default();
         match block {
             Block::Time | Block::Derivatives | Block::Indicators | Block::Clocks => {}
             Block::Parameters => <M::Parameters<f64> as Variables<f64>>::declare(&mut into),
@@ -124,7 +122,7 @@ impl<M: Model> Layout<M> {
             Block::Outputs => <M::Outputs<f64> as Variables<f64>>::declare(&mut into),
             Block::Discrete => <M::Discrete<f64> as Variables<f64>>::declare(&mut into),
         }
-        found
+        into.into_declarations()
     }
 
     /// The name of a scalar, with its index when it is an element of an array; for messages.

@@ -32,11 +32,15 @@ impl Hash {
 
     fn add_starts(&mut self, values: &impl Variables<f64>, count: usize) {
         for index in 0..count {
-            match values.get(index) {
-                // The bits, since every change of a number counts.
-                Value::Real(value) => self.add(&format!("{:016x}", value.to_bits())),
-                other => self.add(&format!("{other:?}")),
-            }
+            self.add_value(values.get(index));
+        }
+    }
+
+    fn add_value(&mut self, value: Value<'_, f64>) {
+        match value {
+            // The bits, since every change of a number counts.
+            Value::Real(value) => self.add(&format!("{:016x}", value.to_bits())),
+            other => self.add(&format!("{other:?}")),
         }
     }
 }

@@ -44,7 +44,7 @@ pub trait Variables<R: Scalar>: Clone + Send + 'static {
     /// The declared start values.
     fn start() -> Self;
     /// Hands every declaration over, in order.
-    fn declare(into: &mut Declarer<'_>);
+    fn declare(into: &mut Declarer);
     /// The value of a scalar; the index is below [`COUNT`](Self::COUNT).
     fn get(&self, index: usize) -> Value<'_, R>;
     /// Sets a scalar. Returns whether the value was of its type (and, for an enumeration, one of its items).
@@ -83,7 +83,7 @@ pub trait Variables<R: Scalar>: Clone + Send + 'static {
 impl<R: Scalar> Variables<R> for () {
     const COUNT: usize = 0;
     fn start() -> Self {}
-    fn declare(_: &mut Declarer<'_>) {}
+    fn declare(_: &mut Declarer) {}
     fn get(&self, index: usize) -> Value<'_, R> {
         unreachable!("there is no variable {index} where there are none")
     }

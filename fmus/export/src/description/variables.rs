@@ -149,7 +149,7 @@ fn variable(
     let derivative = block == Block::Derivatives;
     let unit = match declaration.unit {
         Some(unit) if derivative => unit.per_second(),
-        other => other,
+        other => other.copied(),
     };
     let mut variable = Variable {
         description: Some(if derivative {
