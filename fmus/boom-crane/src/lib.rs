@@ -180,7 +180,8 @@ impl Model for BoomCrane {
         let stopped = at.d.luff.stopped || at.d.hoist.stopped || at.d.boom.stopped;
         at.d.at_limit = stopped || !is_physical(at.p, at.u);
         let here = at.point();
-        at.d.slack = tension(&here, &motion(&here)) < 0.0;
+        // Not `< 0`: an event may be found where the tension is exactly 0.
+        at.d.slack = tension(&here, &motion(&here)) <= 0.0;
         None
     }
 }

@@ -183,7 +183,7 @@ pub struct Discrete {
     /// Whether luff, hoist or telescope stands at a limit, or an input is beyond what any crane does and was cut there.
     #[variable(output)]
     pub at_limit: bool,
-    /// Whether the tension is negative, so that a cable would be slack; the motion is computed as if it were taut.
+    /// Whether the tension is not positive, so that a cable would be slack; the motion is computed as if it were taut.
     #[variable(output)]
     pub slack: bool,
     pub luff: LuffStop,

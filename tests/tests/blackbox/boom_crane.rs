@@ -179,3 +179,76 @@ fn no_direction_is_special() {
         assert!((0..3).all(|i| (found[i] - wanted[i]).abs() < 1e-8), "at {} s", straight.time());
     }
 }
+
+/// A payload let go from rest at an angle A from the vertical: T/m = g (3 cos θ − 2 cos A), which is negative above
+/// cos θ = ⅔ cos A.
+#[test]
+fn a_payload_that_falls_from_above_leaves_its_cable_slack_at_first() {
+    const MASS: f64 = 500.0;
+    const START: f64 = 2.5;
+    let mut crane = crane(0.01, &[("swing.tangential_start", START), ("payload.mass", MASS)]);
+    let (mut slack, mut taut) = (0, 0);
+    while crane.time() < 6.0 {
+        let angle = crane.get("swing.tangential");
+        let wanted = MASS * GRAVITY * (3.0 * angle.cos() - 2.0 * START.cos());
+        let found = crane.get("tension");
+        assert!((found - wanted).abs() < 1e-8 * MASS * GRAVITY, "at {} s: {found} N, not {wanted} N", crane.time());
+        assert_eq!(crane.get_switch("slack"), wanted < 0.0, "at {} s: {wanted} N", crane.time());
+        *(if wanted < 0.0 { &mut slack } else { &mut taut }) += 1;
+        crane.step();
+    }
+    assert!(slack > 100 && taut > 100, "{slack} steps slack, {taut} taut");
+}
+
+/// T = m (g − ℓ̈) for a hanging payload.
+#[test]
+fn a_hoist_that_lets_go_leaves_the_cable_slack() {
+    let mut crane = crane(0.01, &[("payload.mass", 200.0)]);
+    for (acceleration, slack) in [(0.0, false), (9.7, false), (9.9, true), (-5.0, false)] {
+        crane.set("hoist.acceleration", acceleration).expect("an acceleration");
+        crane.step();
+        assert!((crane.get("tension") - 200.0 * (GRAVITY - acceleration)).abs() < 1e-9);
+        assert_eq!(crane.get_switch("slack"), slack, "ℓ̈ = {acceleration}");
+    }
+}
+
+/// Telescoping a boom that lies level is driving the base; of one that is raised, it moves the tip along the boom.
+#[test]
+fn a_telescoping_boom_moves_its_tip_along_itself() {
+    let turn = 0.7;
+    let (sin, cos) = f64::sin_cos(turn);
+    let start = [("luff.angle", 0.0), ("slew.angle", turn), ("swing.tangential_start", 0.2)];
+    let (mut telescoping, mut driving) = (crane(0.02, &start), crane(0.02, &start));
+    let mut raised = crane(0.02, &[("luff.angle", 1.0), ("boom.offset", 0.3), ("boom.extension", -2.0)]);
+    while raised.time() < 10.0 {
+        let rate = 0.4 * (0.8 * raised.time()).sin();
+        telescoping.set("boom.rate", rate).expect("a rate");
+        raised.set("boom.rate", rate).expect("a rate");
+        driving.set("base.velocity.x", rate * cos).expect("a rate");
+        driving.set("base.velocity.y", rate * sin).expect("a rate");
+        [&mut telescoping, &mut driving, &mut raised].map(Instance::step);
+        for name in ["payload.x", "payload.y", "payload.z", "swing.radial", "swing.tangential_rate"] {
+            let (a, b) = (telescoping.get(name), driving.get(name));
+            assert!((a - b).abs() < 1e-8, "{name} at {} s: {a} and {b}", raised.time());
+        }
+        let length = 18.0 + raised.get("boom.extension");
+        let [x, _, z] = raised.get3(["tip.x", "tip.y", "tip.z"]);
+        assert!((x - 0.3 - length * 1_f64.cos()).abs() < 1e-12 && (z - 1.5 - length * 1_f64.sin()).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn a_telescope_stops_at_its_limits() {
+    let limits = [("boom.extension_min", -1.0), ("boom.extension_max", 2.5)];
+    let mut limited = crane(0.1, &limits);
+    for (rate, end) in [(0.5, 2.5), (-0.5, -1.0)] {
+        limited.set("boom.rate", rate).expect("a rate");
+        limited.run_to(limited.time() + 10.0);
+        assert_eq!((limited.get("boom.extension"), limited.get_switch("at_limit")), (end, true));
+    }
+    // Without limits of its own it keeps some of its length.
+    let mut short = crane(0.1, &[("boom.length", 2.0)]);
+    short.set("boom.rate", -1.0).expect("a rate");
+    short.run_to(5.0);
+    assert!((short.get("boom.extension") - (1e-3 - 2.0)).abs() < 1e-12);
+}

@@ -94,6 +94,14 @@ impl Instance {
         value[0]
     }
 
+    /// Reads a truth value.
+    pub fn get_switch(&mut self, name: &str) -> bool {
+        let reference = [self.variable(name).value_reference];
+        let mut value = [false];
+        self.slave.get_boolean(&reference, &mut value).expect("a value");
+        value[0]
+    }
+
     /// Reads three scalar floats.
     pub fn get3(&mut self, names: [&str; 3]) -> [f64; 3] {
         names.map(|name| self.get(name))

@@ -14,6 +14,8 @@ use crate::packaged::repository;
 const STEP: f64 = 1e-3;
 const ANGLE: f64 = 1e-6;
 const POSITION: f64 = 1e-6;
+/// Of the tension per mass (m/s²).
+const TENSION: f64 = 1e-5;
 
 /// A joint: a number where it rests, `[t0, t1, from, to]` where it moves.
 struct Joint([f64; 4]);
@@ -33,6 +35,14 @@ impl Joint {
         let s = ((time - begin) / (end - begin)).clamp(0.0, 1.0);
         from + (to - from) * s.powi(3) * (10.0 - 15.0 * s + 6.0 * s * s)
     }
+
+    /// Its rate and acceleration.
+    fn rates(&self, time: f64) -> [f64; 2] {
+        let [begin, end, from, to] = self.0;
+        let s = ((time - begin) / (end - begin)).clamp(0.0, 1.0);
+        let scale = (to - from) / (end - begin);
+        [scale * 30.0 * (s * (1.0 - s)).powi(2), scale / (end - begin) * 60.0 * s * (1.0 - s) * (1.0 - 2.0 * s)]
+    }
 }
 
 #[test]
@@ -42,21 +52,23 @@ fn boom_crane_follows_the_reference_trajectories() {
     let scenarios = reference["scenarios"].as_object().expect("scenarios");
     assert_eq!(scenarios.len(), 3);
     for (name, scenario) in scenarios {
-        let (angle, position) = largest_differences(&scenario["def"], scenario["rows"].as_array().expect("rows"));
-        println!("{name}: angles within {angle:.1e} rad, payload within {position:.1e} m");
+        let [angle, position, tension] =
+            largest_differences(&scenario["def"], scenario["rows"].as_array().expect("rows"));
+        println!("{name}: within {angle:.1e} rad, {position:.1e} m, {tension:.1e} m/s²");
         assert!(angle <= ANGLE, "{name}: angles differ by {angle:e} rad");
         assert!(position <= POSITION, "{name}: the payload is off by {position:e} m");
+        assert!(tension <= TENSION, "{name}: the tension per mass is off by {tension:e} m/s²");
     }
 }
 
-fn largest_differences(definition: &Json, rows: &[Json]) -> (f64, f64) {
+fn largest_differences(definition: &Json, rows: &[Json]) -> [f64; 3] {
     let joints = [
-        ("base.velocity.x", "base.x", Joint::of(definition, "x")),
-        ("base.velocity.y", "base.y", Joint::of(definition, "y")),
-        ("base.yaw_rate", "base.yaw", Joint::of(definition, "psi")),
-        ("slew.rate", "slew.angle", Joint::of(definition, "theta")),
-        ("luff.rate", "luff.angle", Joint::of(definition, "gamma")),
-        ("hoist.rate", "hoist.length", Joint::of(definition, "l")),
+        ("base.velocity.x", "base.acceleration.x", "base.x", Joint::of(definition, "x")),
+        ("base.velocity.y", "base.acceleration.y", "base.y", Joint::of(definition, "y")),
+        ("base.yaw_rate", "base.yaw_acceleration", "base.yaw", Joint::of(definition, "psi")),
+        ("slew.rate", "slew.acceleration", "slew.angle", Joint::of(definition, "theta")),
+        ("luff.rate", "luff.acceleration", "luff.angle", Joint::of(definition, "gamma")),
+        ("hoist.rate", "hoist.acceleration", "hoist.length", Joint::of(definition, "l")),
     ];
     let fixed = |name: &str| Set::Real(definition[name].as_f64().expect("a fixed number"));
     let start = |i: usize| Set::Real(definition["ic"][i].as_f64().expect("a start value"));
@@ -64,20 +76,21 @@ fn largest_differences(definition: &Json, rows: &[Json]) -> (f64, f64) {
         ("boom.offset", fixed("a")),
         ("boom.height", fixed("h")),
         ("boom.length", fixed("r")),
+        ("payload.mass", Set::Real(1.0)),
         ("swing.tangential_start", start(0)),
         ("swing.radial_start", start(1)),
         ("swing.tangential_rate_start", start(2)),
         ("swing.radial_rate_start", start(3)),
     ];
-    values.extend(joints.iter().map(|(_, state, joint)| (*state, Set::Real(joint.at(0.0)))));
+    values.extend(joints.iter().map(|(_, _, state, joint)| (*state, Set::Real(joint.at(0.0)))));
     let mut crane = Instance::started("BoomCrane", STEP, &values);
 
-    let (mut angle, mut position) = (0.0_f64, 0.0_f64);
+    let [mut angle, mut position, mut tension] = [0.0_f64; 3];
     for row in rows {
         let wanted = |i: usize| row[i].as_f64().expect("a number");
         while crane.time() + 0.5 * STEP < wanted(0) {
             let (now, next) = (crane.time(), crane.time() + STEP);
-            for (rate, _, joint) in &joints {
+            for (rate, _, _, joint) in &joints {
                 crane.set(rate, (joint.at(next) - joint.at(now)) / STEP).expect("a rate");
             }
             crane.step();
@@ -86,6 +99,13 @@ fn largest_differences(definition: &Json, rows: &[Json]) -> (f64, f64) {
         angle = swing.iter().fold(angle, |worst, d| worst.max(d.abs()));
         let payload = crane.get3(["payload.x", "payload.y", "payload.z"]);
         position = (0..3).fold(position, |worst, i| worst.max((payload[i] - wanted(7 + i)).abs()));
+        // The tension is that of the moment, not of a step.
+        for (rate, acceleration, _, joint) in &joints {
+            let [first, second] = joint.rates(wanted(0));
+            crane.set(rate, first).expect("a rate");
+            crane.set(acceleration, second).expect("an acceleration");
+        }
+        tension = tension.max((crane.get("tension") - wanted(10)).abs());
     }
-    (angle, position)
+    [angle, position, tension]
 }
