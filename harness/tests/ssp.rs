@@ -83,6 +83,50 @@ const NESTED: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 </ssd:SystemStructureDescription>
 "#;
 
+/// A parameter set of its own goes before what the system says, and start values that are set later before both.
+#[test]
+fn a_parameter_set_replaces_start_values() {
+    let folder = tempfile::tempdir().unwrap();
+    let set = folder.path().join("other.ssv");
+    let text = r#"<ssv:ParameterSet name="other" version="1.0"
+        xmlns:ssv="http://ssp-standard.org/SSP1/SystemStructureParameterValues"
+        xmlns:ssc="http://ssp-standard.org/SSP1/SystemStructureCommon">
+      <ssv:Parameters>
+        <ssv:Parameter name="one.x_start"><ssv:Real value="300" unit="cm"/></ssv:Parameter>
+        <ssv:Parameter name="one.label"><ssv:String value="./beside.txt"/></ssv:Parameter>
+      </ssv:Parameters>
+      <ssv:Units><ssc:Unit name="cm"><ssc:BaseUnit m="1" factor="0.01"/></ssc:Unit></ssv:Units>
+    </ssv:ParameterSet>"#;
+    fs::write(&set, text).unwrap();
+    let fmu = folder.path().join("one.fmu");
+    pack(&foreign(FmiVersion::V3), &fmu);
+    let started = |system: &System| {
+        let options = Options { output_variables: vec!["one.x".into(), "one.label".into()], ..Options::default() };
+        let mut csv = CsvWriter::new("memory", Vec::new());
+        simulate(system, &options, &mut csv).unwrap();
+        let text = String::from_utf8(csv.into_inner().unwrap()).unwrap();
+        text.lines().nth(1).unwrap().to_owned()
+    };
+    let mut system = System::new("set");
+    system.add_fmu("one", &fmu).unwrap();
+    system.set_start_value("one.x_start", "7");
+    assert_eq!(started(&system), "0,7,foreign");
+    system.add_parameter_set(&set).unwrap();
+    assert!(started(&system).starts_with("0,3,") && started(&system).ends_with("beside.txt"));
+    system.set_start_value("one.x_start", "8");
+    assert!(started(&system).starts_with("0,8,"));
+
+    // What is wrong has its place.
+    fs::write(&set, text.replace("one.x_start", "one.y_start")).unwrap();
+    system.add_parameter_set(&set).unwrap();
+    let problem = system.check().unwrap_err().to_string();
+    assert!(problem.contains("other.ssv:5") && problem.contains("y_start"), "{problem}");
+    fs::write(&set, "<broken").unwrap();
+    assert!(system.add_parameter_set(&set).unwrap_err().to_string().contains("other.ssv"));
+    let missing = folder.path().join("missing.ssv");
+    assert!(matches!(system.add_parameter_set(missing).unwrap_err(), Error::FileNotFound { .. }));
+}
+
 #[test]
 fn nested_systems_run_from_a_description_and_from_a_package() {
     let folder = tempfile::tempdir().unwrap();

@@ -50,7 +50,10 @@ pub struct Arguments {
     /// The relative tolerance of the FMUs' integrators
     #[arg(long, value_name = "NUMBER")]
     tolerance: Option<f64>,
-    /// A start value; may be given several times. In a system the name is `instance.variable`
+    /// A file of start values (.ssv) that go before those of the system; may be given several times, the last one counts
+    #[arg(long, value_name = "FILE")]
+    parameter_set: Vec<PathBuf>,
+    /// A start value; may be given several times, and goes before all others. In a system the name is `instance.variable`
     #[arg(long, value_name = "NAME=VALUE", value_parser = start_value)]
     start_value: Vec<(String, String)>,
     /// A CSV file with a time column and one for each input to drive
@@ -155,6 +158,9 @@ fn system(arguments: &Arguments) -> Result<System, Failure> {
         Some(folder) => System::open_with_fmus(&arguments.file, folder)?,
         None => System::open(&arguments.file)?,
     };
+    for path in &arguments.parameter_set {
+        system.add_parameter_set(path)?;
+    }
     for (name, value) in &arguments.start_value {
         system.set_start_value(name, value);
     }

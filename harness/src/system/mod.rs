@@ -162,6 +162,13 @@ impl System {
         self.start_values.push(start);
     }
 
+    /// Sets the start values of a parameter set (`.ssv`). Its parameters are named as start values are: in a system
+    /// `instance.variable`.
+    pub fn add_parameter_set(&mut self, path: impl AsRef<Path>) -> Result<()> {
+        ssp::of_file(path.as_ref())?.into_iter().for_each(|start| self.add_start_value(start));
+        Ok(())
+    }
+
     /// Sets the signals that drive the inputs named by their columns.
     pub fn set_input_signals(&mut self, signals: InputSignals) {
         self.signals = Some(Arc::new(signals));

@@ -3,6 +3,8 @@
 mod flatten;
 mod parameters;
 
+pub(super) use parameters::of_file;
+
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 

@@ -4,9 +4,8 @@ use std::path::{Path, PathBuf};
 
 use swayless_modeldesc::ssp::{
     self, Element, MappingEntry, Parameter, ParameterBinding, ParameterMapping, ParameterSet, Source, SourceBase,
-    Transformation, Value,
+    Transformation, Unit, Value,
 };
-use swayless_modeldesc::types::BaseUnit;
 
 use super::{Reader, document};
 use crate::error::{Error, Result};
@@ -36,13 +35,12 @@ fn apply(reader: &mut Reader, binding: &ParameterBinding, path: &str) {
 
 /// The start values of a binding.
 fn values(reader: &Reader, binding: &ParameterBinding, path: &str) -> Result<Vec<StartValue>> {
-    let (set, file) = match &binding.values {
-        Source::Inline(set) => (set.clone(), None),
+    let (parameters, file) = match &binding.values {
+        Source::Inline(parameters) => (parameters.clone(), None),
         Source::File { source, base } => {
             let file = find(reader, binding, source, *base)?;
             let xml = text(&file).map_err(|error| reader.named(binding.line, "parameter set", error))?;
-            let set: ParameterSet = document(&file, ssp::read_parameters(&xml), |_| Vec::new())?;
-            (set, Some(file))
+            (set(&file, &xml)?, Some(file))
         }
     };
     let mapping = match &binding.mapping {
@@ -56,20 +54,17 @@ fn values(reader: &Reader, binding: &ParameterBinding, path: &str) -> Result<Vec
         }
     };
     let mut values = Vec::new();
-    for parameter in &set.parameters {
+    for parameter in &parameters.parameters {
         let name = format!("{}{}", binding.prefix, parameter.name);
         let place = match &file {
-            Some(file) => format!("{}:{}", file.display(), parameter.line),
+            Some(file) => in_file(file, parameter),
             None => reader.place(parameter.line),
         };
         let folder = file.as_deref().and_then(Path::parent).unwrap_or(&reader.folder);
-        let plain = StartValue {
-            variable: format!("{path}{name}"),
-            value: written(&parameter.value, folder),
-            unit: parameter.unit.clone(),
-            unit_definition: parameter.unit.as_deref().and_then(|unit| definition(reader, &set, unit)),
-            place: Some(place),
-        };
+        // What a unit means is said by the parameter set, else by the system description; the FMU's own definition
+        // comes last.
+        let units = parameters.units.iter().chain(&reader.description.units);
+        let plain = start_value(parameter, format!("{path}{name}"), units, folder, place);
         match &mapping {
             None => values.push(plain),
             Some(mapping) => {
@@ -80,6 +75,43 @@ fn values(reader: &Reader, binding: &ParameterBinding, path: &str) -> Result<Vec
         }
     }
     Ok(values)
+}
+
+/// The start values of a parameter set in a file, under the names that it gives them.
+pub(in crate::system) fn of_file(file: &Path) -> Result<Vec<StartValue>> {
+    let parameters = set(file, &text(file)?)?;
+    let folder = file.parent().unwrap_or(Path::new(""));
+    let value = |parameter: &Parameter| {
+        start_value(parameter, parameter.name.clone(), &parameters.units, folder, in_file(file, parameter))
+    };
+    Ok(parameters.parameters.iter().map(value).collect())
+}
+
+fn set(file: &Path, xml: &str) -> Result<ParameterSet> {
+    document(file, ssp::read_parameters(xml), |_| Vec::new())
+}
+
+fn in_file(file: &Path, parameter: &Parameter) -> String {
+    format!("{}:{}", file.display(), parameter.line)
+}
+
+/// The start value of a parameter, whose unit is defined in `units` and whose file lies in `folder`.
+fn start_value<'a>(
+    parameter: &Parameter,
+    variable: String,
+    units: impl IntoIterator<Item = &'a Unit>,
+    folder: &Path,
+    place: String,
+) -> StartValue {
+    let unit = parameter.unit.clone();
+    let definition = units.into_iter().find(|known| Some(&known.name) == unit.as_ref());
+    StartValue {
+        variable,
+        value: written(&parameter.value, folder),
+        unit_definition: definition.map(|known| known.base),
+        unit,
+        place: Some(place),
+    }
 }
 
 /// A value under another name, perhaps transformed.
@@ -118,12 +150,6 @@ fn written(value: &Value, folder: &Path) -> String {
         }
         value => value.to_string(),
     }
-}
-
-/// What a unit means: by the parameter set, else by the system description. The FMU's own definition comes last.
-fn definition(reader: &Reader, set: &ParameterSet, name: &str) -> Option<BaseUnit> {
-    let units = set.units.iter().chain(&reader.description.units);
-    units.into_iter().find(|unit| unit.name == name).map(|unit| unit.base)
 }
 
 fn find(reader: &Reader, binding: &ParameterBinding, source: &str, base: SourceBase) -> Result<PathBuf> {
