@@ -226,7 +226,7 @@ fn a_telescoping_boom_moves_its_tip_along_itself() {
         raised.set("boom.rate", rate).expect("a rate");
         driving.set("base.velocity.x", rate * cos).expect("a rate");
         driving.set("base.velocity.y", rate * sin).expect("a rate");
-        [&mut telescoping, &mut driving, &mut raised].map(Instance::step);
+        [&mut telescoping, &mut driving, &mut raised].into_iter().for_each(Instance::step);
         for name in ["payload.x", "payload.y", "payload.z", "swing.radial", "swing.tangential_rate"] {
             let (a, b) = (telescoping.get(name), driving.get(name));
             assert!((a - b).abs() < 1e-8, "{name} at {} s: {a} and {b}", raised.time());
