@@ -1,6 +1,7 @@
 //! Black-box tests: everything here goes through packaged FMUs, the `swayless` command, or the repository's files.
 
 mod boom_crane;
+mod bridge_crane;
 mod command_source;
 mod fuzz;
 mod instance;
