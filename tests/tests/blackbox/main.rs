@@ -3,6 +3,7 @@
 mod boom_crane;
 mod bridge_crane;
 mod command_source;
+mod examples;
 mod fuzz;
 mod instance;
 mod libraries;
