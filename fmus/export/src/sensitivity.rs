@@ -6,6 +6,8 @@
 //! While the simulation runs, what is discrete is held. In Initialization Mode it follows from what is set, by the first
 //! event, which is no equation over dual numbers: there it is differenced, to the sixth order.
 
+use std::hint::black_box;
+
 use swayless_scalar::Dual;
 
 use crate::instance::{Instance, NOT_INITIALIZED, Refusal};
@@ -123,10 +125,15 @@ impl<M: Model> Instance<M> {
         Ok(())
     }
 
-    /// Evaluates the equations with the derivative of each known in the direction. Compiled once for all callers: the
-    /// equations are the greater part of a library.
-    #[inline(never)]
+    /// Evaluates the equations with the derivative of each known in the direction.
     fn tangents(&mut self, direction: &dyn Fn(usize) -> f64) -> Result<Tangents<M>, Refusal> {
+        self.tangents_in(black_box(direction))
+    }
+
+    /// Compiled once for all callers: the equations are the greater part of a library. Where the compiler knows whose
+    /// direction it is, it makes a copy for each.
+    #[inline(never)]
+    fn tangents_in(&mut self, direction: &dyn Fn(usize) -> f64) -> Result<Tangents<M>, Refusal> {
         let starting = self.phase == Phase::Initialization;
         let (jumps, changes) = if starting { self.differences(direction)? } else { Default::default() };
         let Some(memory) = &self.memory else {
