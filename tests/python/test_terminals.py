@@ -8,6 +8,8 @@ import pytest
 from lxml import etree
 
 CLOCKS = True
+BASE = ("base.velocity.x", "base.velocity.y", "base.yaw_rate")
+BASE += ("base.acceleration.x", "base.acceleration.y", "base.yaw_acceleration")
 
 ENTRY = "terminalsAndIcons/terminalsAndIcons.xml"
 SCHEMA = etree.XMLSchema(file=Path(fmpy.__file__).parent / "schema/fmi3/fmi3TerminalsAndIcons.xsd")
@@ -65,10 +67,17 @@ def test_documents_are_valid_and_about_what_exists(fmu):
         ("CommandSource", "command", "InputShaper", "command", {"command": "command"}),
         ("CommandSource", "command", "VectorDrive", "command", {"command": "command"}),
         ("InputShaper", "shaped", "VectorDrive", "command", {"shaped": "command"}),
-        ("VectorDrive", "axis", "BoomCrane", "slew", {"velocity": "slew.rate"}),
-        ("VectorDrive", "axis", "BoomCrane", "luff", {"velocity": "luff.rate"}),
-        ("VectorDrive", "axis", "BoomCrane", "hoist", {"velocity": "hoist.rate"}),
+        ("VectorDrive", "axis", "BoomCrane", "slew", {"velocity": "slew.rate", "acceleration": "slew.acceleration"}),
+        ("VectorDrive", "axis", "BoomCrane", "luff", {"velocity": "luff.rate", "acceleration": "luff.acceleration"}),
+        ("VectorDrive", "axis", "BoomCrane", "hoist", {"velocity": "hoist.rate", "acceleration": "hoist.acceleration"}),
         ("BoomCrane", "hoist", "InputShaper", "hoist", {"hoist.length": "hoist.length"}),
+        ("VectorDrive", "axis", "TowerCrane", "slew", {"velocity": "slew.rate"}),
+        ("VectorDrive", "axis", "TowerCrane", "trolley", {"velocity": "trolley.rate"}),
+        ("VectorDrive", "axis", "TowerCrane", "hoist", {"velocity": "hoist.rate"}),
+        ("TowerCrane", "hoist", "InputShaper", "hoist", {"hoist.length": "hoist.length"}),
+        ("VectorDrive", "axis", "BoomLift", "extension", {"velocity": "extension.rate"}),
+        ("VectorDrive", "axis", "FlexibleModes", "axis", {"velocity": "base.velocity"}),
+        ("MobileBase", "base", "BoomCrane", "base", {name: name for name in BASE}),
     ],
 )
 def test_connected_terminals_wire_the_crane(named, giver, gives, taker, takes, joined):

@@ -1,8 +1,8 @@
 //! The variables of the boom crane.
 
 use swayless_crane::{
-    CableStates, HoistParameters, HoistStates, HoistStop, LuffParameters, LuffStates, LuffStop, PayloadStates,
-    Position, SlewStates, SwingOutputs, SwingParameters, Wind,
+    BaseStates, BaseVelocity, CableStates, HoistParameters, HoistStates, HoistStop, LuffParameters, LuffStates,
+    LuffStop, PayloadStates, Position, SlewStates, SwingOutputs, SwingParameters, Wind,
 };
 use swayless_export::{Scalar, Variables};
 use swayless_mechanics::Limits;
@@ -78,16 +78,6 @@ pub struct BaseInputs<R: Scalar> {
 }
 
 #[derive(Clone, Variables)]
-pub struct BaseVelocity<R: Scalar> {
-    /// Velocity of the base's reference point, world x.
-    #[variable(unit = "m/s")]
-    pub x: R,
-    /// Velocity of the base's reference point, world y.
-    #[variable(unit = "m/s")]
-    pub y: R,
-}
-
-#[derive(Clone, Variables)]
 pub struct BaseAcceleration<R: Scalar> {
     /// Acceleration of the base's reference point, world x; it matters to the tension only.
     #[variable(unit = "m/s2")]
@@ -146,19 +136,6 @@ pub struct States<R: Scalar> {
     pub boom: BoomStates<R>,
     pub cable: CableStates<R>,
     pub payload: PayloadStates<R>,
-}
-
-#[derive(Clone, Variables)]
-pub struct BaseStates<R: Scalar> {
-    /// Position of the base's reference point, world x.
-    #[variable(unit = "m", output)]
-    pub x: R,
-    /// Position of the base's reference point, world y.
-    #[variable(unit = "m", output)]
-    pub y: R,
-    /// Yaw of the base.
-    #[variable(unit = "rad", output)]
-    pub yaw: R,
 }
 
 #[derive(Clone, Variables)]

@@ -1,6 +1,7 @@
 //! What crane FMUs have in common: variables of joints, swing, wind and positions, terminals, and where inputs that no
 //! crane can have are cut.
 
+mod base;
 mod cut;
 mod hoist;
 mod luff;
@@ -11,6 +12,7 @@ mod swing;
 pub mod terminals;
 mod wind;
 
+pub use base::{BaseStates, BaseVelocity};
 pub use cut::{FASTEST, STRONGEST, are_physical, cut, cut_acceleration};
 pub use hoist::{HoistInputs, HoistParameters, HoistStates, HoistStop};
 pub use luff::{LuffParameters, LuffStates, LuffStop};

@@ -66,8 +66,7 @@ impl<R: Scalar> Boom<R> {
         // Along the boom and across it, upwards.
         let (along, across) = (rates.length, self.length * rates.luff);
         Vector::new(x - turning * sin_yaw, y + turning * cos_yaw, along * sin_luff + across * cos_luff)
-            + frame.radial() * (along * cos_luff - across * sin_luff)
-            + frame.tangential() * (self.length * cos_luff * (rates.yaw + rates.slew))
+            + frame.swept(self.length * cos_luff, along * cos_luff - across * sin_luff)
     }
 
     /// Acceleration of the boom's tip (m/s²; thesis 2.11): a_base + a (ψ̈ b₂ − ψ̇² b₁) + (R̈ − R Ω²) e_r +

@@ -5,15 +5,21 @@
 
 mod boom;
 mod double_payload;
+mod jib;
 mod limit;
+mod mode;
 mod payload;
 mod swing;
+mod vehicle;
 
 pub use boom::{Boom, BoomAccelerations, BoomRates};
 pub use double_payload::{DoublePayload, DoubleSuspension, DoubleVelocity};
+pub use jib::{Jib, JibRates};
 pub use limit::Limits;
+pub use mode::{Mode, ModeState};
 pub use payload::{Payload, Suspension};
 pub use swing::{Swing, SwingFrame};
+pub use vehicle::{Driving, Vehicle, VehicleRates};
 
 /// A vector in the world frame.
 pub type Vector<R> = nalgebra::Vector3<R>;

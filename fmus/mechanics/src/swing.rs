@@ -41,6 +41,12 @@ impl<R: Scalar> SwingFrame<R> {
         self.tangential
     }
 
+    /// The velocity of what is out on the crane (m/s), `reach` (m) from the slewing axis and getting farther with
+    /// `reach_rate` (m/s): Ṙ e_r + R Ω e_t.
+    pub fn swept(&self, reach: R, reach_rate: R) -> Vector<R> {
+        self.radial * reach_rate + self.tangential * (reach * self.turning)
+    }
+
     /// The direction from pivot to payload of swing angles.
     pub fn direction(&self, swing: Swing<R>) -> Vector<R> {
         let (sin_phi, cos_phi) = swing.radial.sin_cos();

@@ -68,6 +68,11 @@ impl Instance {
         self.description.variables.iter().find(|v| v.name == name).unwrap_or_else(|| panic!("no variable {name}"))
     }
 
+    /// The value reference of a variable.
+    pub fn reference(&self, name: &str) -> u32 {
+        self.variable(name).value_reference
+    }
+
     /// Sets a scalar.
     pub fn set<'a>(&mut self, name: &str, value: impl Into<Set<'a>>) -> Result<(), Failure> {
         let variable = self.variable(name);
@@ -96,10 +101,26 @@ impl Instance {
 
     /// Reads a truth value.
     pub fn get_switch(&mut self, name: &str) -> bool {
-        let reference = [self.variable(name).value_reference];
+        let reference = [self.reference(name)];
         let mut value = [false];
         self.slave.get_boolean(&reference, &mut value).expect("a value");
         value[0]
+    }
+
+    /// Reads the floats of an array, which has this many.
+    pub fn get_all(&mut self, name: &str, count: usize) -> Vec<f64> {
+        let variable = self.variable(name);
+        let (reference, data_type) = ([variable.value_reference], variable.data_type);
+        let mut values = vec![f64::NAN; count];
+        self.slave.get_float(data_type, &reference, &mut values).expect("values");
+        values
+    }
+
+    /// Sets the floats of an array.
+    pub fn set_all(&mut self, name: &str, values: &[f64]) {
+        let variable = self.variable(name);
+        let (reference, data_type) = ([variable.value_reference], variable.data_type);
+        self.slave.set_float(data_type, &reference, values).expect("values in range");
     }
 
     /// Reads three scalar floats.
