@@ -1,10 +1,11 @@
 //! Black-box tests: everything here goes through packaged FMUs, the `swayless` command, or the repository's files.
 
 mod boom_crane;
+mod boom_lift;
 mod bridge_crane;
 mod command_source;
+mod example_drives;
 mod examples;
-mod boom_lift;
 mod flexible_modes;
 mod fuzz;
 mod instance;
