@@ -39,6 +39,11 @@ impl Structure {
             // What happens in the first event is not traced.
             initial[Layout::<M>::DISCRETE + offset] = None;
         }
+        let untraced = untraced_parameters::<M>();
+        initial
+            .iter_mut()
+            .flatten()
+            .for_each(|set| set.extend(untraced.iter().map(|number| (*number, How::Dependent))));
         Self { running, initial }
     }
 
@@ -51,6 +56,14 @@ impl Structure {
     pub fn initial(&self, number: usize) -> Option<&Set> {
         self.initial[number].as_ref()
     }
+}
+
+/// Parameters that are no numbers of the equations: which branch a condition takes, or what is read from a file, is not
+/// traced, so that everything that is computed is taken to depend on them.
+fn untraced_parameters<M: Model>() -> Vec<usize> {
+    let declarations = Layout::<M>::declarations(Block::Parameters);
+    let untraced = declarations.into_iter().filter(|d| !matches!(d.kind, Kind::Real | Kind::Size));
+    untraced.flat_map(|d| (d.first..d.first + d.count()).map(|index| Layout::<M>::PARAMETERS + index)).collect()
 }
 
 /// The inputs and states that each scalar of d depends on, as declared.

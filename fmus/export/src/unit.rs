@@ -37,6 +37,7 @@ pub const UNITS: &[Unit] = &[
     unit("rad/s", "AngularVelocity", [0, 0, -1, 1], &[("deg/s", DEGREES), ("Hz", PER_TURN)]),
     unit("rad/s2", "AngularAcceleration", [0, 0, -2, 1], &[("deg/s2", DEGREES)]),
     unit("kg", "Mass", [1, 0, 0, 0], &[("t", 1e-3)]),
+    unit("kg.m2", "MomentOfInertia", [1, 2, 0, 0], &[]),
     unit("kg/s", "MassFlow", [1, 0, -1, 0], &[]),
     unit("N", "Force", [1, 1, -2, 0], &[("kN", 1e-3)]),
 ];
