@@ -7,19 +7,25 @@ mod boom;
 mod double_payload;
 mod jib;
 mod limit;
+mod luff_force;
+mod luffing;
 mod mode;
 mod payload;
 mod swing;
 mod vehicle;
+mod vertical;
 
 pub use boom::{Boom, BoomAccelerations, BoomRates};
 pub use double_payload::{DoublePayload, DoubleSuspension, DoubleVelocity};
 pub use jib::{Jib, JibRates};
 pub use limit::Limits;
+pub use luff_force::{Hanging, LuffLoad};
+pub use luffing::{DEAD_ANGLE, Luffing, Motion, Rigging, Rope};
 pub use mode::{Mode, ModeState};
 pub use payload::{Payload, Suspension};
 pub use swing::{Swing, SwingFrame};
 pub use vehicle::{Driving, Vehicle, VehicleRates};
+pub use vertical::{CounterweightRig, FASTEST_BRAKING, VerticalPendulum};
 
 /// A vector in the world frame.
 pub type Vector<R> = nalgebra::Vector3<R>;

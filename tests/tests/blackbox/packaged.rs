@@ -17,6 +17,12 @@ pub fn repository() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the workspace's folder")
 }
 
+/// A file of reference values.
+pub fn data(name: &str) -> serde_json::Value {
+    let text = std::fs::read_to_string(repository().join("tests/data").join(name)).expect("a file");
+    serde_json::from_str(&text).expect("JSON")
+}
+
 /// The tests' own target folder, so that building FMUs neither waits for nor disturbs the build of the tests.
 pub fn target() -> PathBuf {
     Path::new(env!("CARGO_TARGET_TMPDIR")).with_file_name("tests")

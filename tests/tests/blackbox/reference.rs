@@ -7,7 +7,7 @@
 use serde_json::Value as Json;
 
 use crate::instance::{Instance, Set};
-use crate::packaged::repository;
+use crate::packaged;
 
 /// Communication step (s). The rates are held at each step's average, so that the joints are exact at every
 /// communication point; what is left is an error of second order.
@@ -47,8 +47,7 @@ impl Joint {
 
 #[test]
 fn boom_crane_follows_the_reference_trajectories() {
-    let text = std::fs::read_to_string(repository().join("tests/data/boom_payload.json")).expect("the reference");
-    let reference: Json = serde_json::from_str(&text).expect("JSON");
+    let reference = packaged::data("boom_payload.json");
     let scenarios = reference["scenarios"].as_object().expect("scenarios");
     assert_eq!(scenarios.len(), 3);
     for (name, scenario) in scenarios {

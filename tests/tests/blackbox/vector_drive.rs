@@ -2,18 +2,15 @@
 //!
 //! `data/industrial_crane.json` was computed on a grid of 0.1 ms, so that its times carry that much.
 
-use serde_json::Value as Json;
-
 use crate::instance::{Instance, Set};
-use crate::packaged::repository;
+use crate::packaged;
 
 const STEP: f64 = 1e-4;
 const GRID: f64 = 2e-4;
 const LIMIT: f64 = 0.75;
 
 fn reference(response: &str, figure: &str) -> f64 {
-    let text = std::fs::read_to_string(repository().join("tests/data/industrial_crane.json")).expect("the reference");
-    let json: Json = serde_json::from_str(&text).expect("JSON");
+    let json = packaged::data("industrial_crane.json");
     json["6.1 drive"][response][figure].as_f64().unwrap_or_else(|| panic!("{response}: {figure}"))
 }
 
