@@ -168,7 +168,8 @@ impl<M: Model> Instance<M> {
                     return Ok(Progress::Ended(StepEnd { event: true, early }));
                 }
                 self.step_event()?;
-                let stays = self.t <= stride.last_event;
+                // So close that more than can be fit into the step: it need not be tried all the way.
+                let stays = (self.t - stride.last_event) * MOST_TIME_EVENTS as f64 <= stride.end - stride.t;
                 stride.last_event = self.t;
                 let (count, most) = if crossed || stays {
                     (&mut stride.events, MOST_EVENTS)

@@ -104,6 +104,20 @@ fn ticks_fall_on_the_ends_of_steps_that_are_added_up() {
     assert!(2000.0 - t > 1e-10, "{t}");
 }
 
+/// Without trying: ten million ticks are seconds of computing, a hundred thousand are told at once.
+#[test]
+fn ticks_without_end_are_refused_and_many_are_not() {
+    for (every, answer) in [(1e-5, OK), (1e-9, ERROR), (5e-324, ERROR)] {
+        let host = Host::<Sampler>::new(CO_SIMULATION);
+        assert_eq!(host.set("every", every), OK);
+        host.initialize();
+        assert_eq!(host.step(0.0, 2.0), answer, "{every}");
+        let told = host.log.iter().any(|(_, _, text)| text.contains("more than 100000 events in one step"));
+        assert_eq!(told, answer == ERROR, "{every}");
+        assert_eq!(host.get("sampled"), if answer == OK { 2.0 } else { 0.0 });
+    }
+}
+
 #[test]
 fn a_new_interval_counts_from_where_it_was_set() {
     let host = Host::<Sampler>::new(CO_SIMULATION);
