@@ -1,6 +1,32 @@
-//! The terminals of cranes: what is connected together. A drive's axis has the same member names as a crane's.
+//! The terminals of cranes and their drives: what is connected together. A drive's axis has the same member names as a
+//! crane's.
 
 use swayless_export::Terminal;
+
+/// Command of an axis.
+pub const COMMAND: Terminal = Terminal {
+    name: "command",
+    description: "Commanded velocity",
+    kind: "command",
+    members: &[("command", "command")],
+};
+
+/// Axis that a drive moves. A drive does not ask where its axis is, so its own travel has another name than the
+/// position of the axis.
+pub const DRIVEN_AXIS: Terminal = Terminal {
+    name: "axis",
+    description: "The axis that is driven",
+    kind: "axis",
+    members: &[("velocity", "rate"), ("acceleration", "acceleration"), ("position", "travel")],
+};
+
+/// Load that a drive works against.
+pub const DRIVEN_LOAD: Terminal = Terminal {
+    name: "load",
+    description: "The load on the axis",
+    kind: "load",
+    members: &[("load.force", "force"), ("load.mass", "mass")],
+};
 
 /// Slewing axis.
 pub const SLEW: Terminal = Terminal {

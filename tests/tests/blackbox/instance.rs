@@ -153,3 +153,12 @@ impl Instance {
         }
     }
 }
+
+/// Numbers in −1 … 1, the same in every run.
+pub fn noise() -> impl FnMut() -> f64 {
+    let mut state = 1_u64;
+    move || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+}

@@ -2,6 +2,7 @@
 
 mod boom_crane;
 mod boom_lift;
+mod braking_drive;
 mod bridge_crane;
 mod command_source;
 mod example_drives;
