@@ -14,11 +14,11 @@ SHORTER = 5
 class Lines:
     """A straight line for each continuous input."""
 
-    def __init__(self, instance):
+    def __init__(self, instance, steepness):
         self.instance = instance
         self.inputs = [v for v in instance.fmu.inputs if v.type in FLOATS and v.variability == "continuous"]
         self.references = [v.valueReference for v in self.inputs]
-        self.slopes = [scale(v) * (-1.0) ** i / STOP for i, v in enumerate(self.inputs)]
+        self.slopes = [steepness * scale(v) * (-1.0) ** i / STOP for i, v in enumerate(self.inputs)]
         self.orders = [1] * len(self.inputs)
 
     def apply(self, time):
@@ -28,10 +28,10 @@ class Lines:
         self.instance.api.setReal(self.references, values)
 
 
-def stepped(fmu, observed, parts, moving):
+def stepped(fmu, observed, parts, moving, steepness=1.0):
     """Co-simulation with held inputs, or with their derivatives; values at every communication point of long steps."""
     with Instance(fmu, "CoSimulation") as instance:
-        lines = Lines(instance)
+        lines = Lines(instance, steepness)
         instance.initialize(fmu.with_files({}), {}, tolerance=1e-10)
         rows = [instance.get(observed)]
         step = STEP / parts
@@ -52,7 +52,12 @@ def test_inputs_move_within_a_step(fmu):
     moving = [v for v in fmu.inputs if v.type in FLOATS and v.variability == "continuous"]
     if not moving or not fmu.description.numberOfContinuousStates:
         pytest.skip("no continuous input that moves a state")
-    states = [unknown.variable.derivative for unknown in fmu.description.derivatives]
-    expected = stepped(fmu, states, SHORTER, True)
-    assert np.abs(stepped(fmu, states, 1, True) - expected).max() <= AGREEMENT
-    assert np.abs(stepped(fmu, states, 1, False) - expected).max() > 1e-4, "the test tells nothing"
+    observed = [unknown.variable.derivative for unknown in fmu.description.derivatives]
+    held = stepped(fmu, observed, 1, False)
+    if np.array_equal(held, stepped(fmu, observed, 1, False, steepness=0.0)):
+        # Such as the load of a drive that is strong enough for any: outputs tell of it.
+        observed = [v for v in fmu.observed() if v.causality == "output" and v.variability == "continuous"]
+        held = stepped(fmu, observed, 1, False)
+    expected = stepped(fmu, observed, SHORTER, True)
+    assert np.abs(stepped(fmu, observed, 1, True) - expected).max() <= AGREEMENT
+    assert np.abs(held - expected).max() > 1e-4, "the test tells nothing"

@@ -26,6 +26,17 @@ pub struct Parameters<R: Scalar> {
     /// Whether the second-order response is there; without it the drive is purely acceleration-limited.
     #[variable(start = true)]
     pub smoothing: bool,
+    pub motor: MotorParameters<R>,
+    /// Greatest force of the motor.
+    #[variable(start = 1e12, min = 1e-6, max = 1e12)]
+    pub force_limit: R,
+}
+
+#[derive(Clone, Variables)]
+pub struct MotorParameters<R: Scalar> {
+    /// Mass of motor and gear, as the axis feels it.
+    #[variable(start = 1.0, min = 1e-6, max = 1e9)]
+    pub mass: R,
 }
 
 #[derive(Clone, Variables)]
@@ -33,6 +44,17 @@ pub struct Inputs<R: Scalar> {
     /// Commanded velocity.
     #[variable(discrete)]
     pub command: R,
+    pub load: Load<R>,
+}
+
+#[derive(Clone, Variables)]
+pub struct Load<R: Scalar> {
+    /// Force of the load on the axis; where it is positive, positive velocities work against it.
+    #[variable]
+    pub force: R,
+    /// Mass of the load, as the axis feels it.
+    #[variable]
+    pub mass: R,
 }
 
 #[derive(Clone, Variables)]
@@ -67,12 +89,60 @@ pub struct Outputs<R: Scalar> {
     pub velocity: R,
     /// Acceleration of the axis.
     pub acceleration: R,
+    /// Force of the motor.
+    pub force: R,
+    pub brake: BrakeOutputs<R>,
+}
+
+#[derive(Clone, Variables)]
+pub struct BrakeOutputs<R: Scalar> {
+    /// Force of the brake.
+    pub force: R,
 }
 
 #[derive(Clone, Variables)]
 pub struct Discrete<R: Scalar> {
     pub switch: Switch<R>,
     pub limiter: Limiter<R>,
+    /// Whether the load is heavier than the motor can hold.
+    #[variable(output, depends_on = ["load.force"])]
+    pub overloaded: bool,
+    /// Whether the motor is at its limit, so that the axis cannot follow, or only with the brake.
+    #[variable(output, depends_on = ["command", "load.force", "load.mass"])]
+    pub limited: bool,
+    /// Whether mass and force of the load are within what is not cut.
+    #[variable(output, start = true, depends_on = ["load.force", "load.mass"])]
+    pub valid: bool,
+    pub overload: Overload<R>,
+    pub brake: Brake,
+    pub motor: Motor<R>,
+}
+
+#[derive(Clone, Variables)]
+pub struct Overload<R: Scalar> {
+    /// Sign of a load force that the motor cannot hold, else 0.
+    #[variable(depends_on = ["load.force"])]
+    pub direction: R,
+    /// Whether the axis goes along with such a load, held back by the brake.
+    #[variable]
+    pub lowering: bool,
+}
+
+#[derive(Clone, Variables)]
+pub struct Brake {
+    /// Whether the brake holds the axis at rest.
+    #[variable]
+    pub closed: bool,
+    /// Whether the brake adds to the force of the motor while the axis moves.
+    #[variable]
+    pub helping: bool,
+}
+
+#[derive(Clone, Variables)]
+pub struct Motor<R: Scalar> {
+    /// Sign of the force limit that the motor is at, else 0.
+    #[variable]
+    pub saturation: R,
 }
 
 #[derive(Clone, Variables)]

@@ -11,6 +11,7 @@ mod flexible_modes;
 mod fuzz;
 mod instance;
 mod libraries;
+mod loaded_drive;
 mod luff_rigging;
 mod mistakes;
 mod mobile_base;
