@@ -1,6 +1,7 @@
 """What a process keeps of itself around an FMU: settings, signals, files, threads, and the library when it is unloaded."""
 
 import ctypes
+import gc
 import os
 import sys
 
@@ -103,7 +104,8 @@ def mapped(fmu):
 
 
 def held():
-    """Memory of the process that cannot be shared (bytes)."""
+    """Memory of the process that cannot be shared (bytes), without Python objects that nobody has collected yet."""
+    gc.collect()
     with open("/proc/self/statm", encoding="ascii") as statm:
         size, resident, shared, *_ = map(int, statm.read().split())
     return (resident - shared) * 4096
