@@ -78,6 +78,23 @@ def test_documents_are_valid_and_about_what_exists(fmu):
         ("VectorDrive", "axis", "BoomLift", "extension", {"velocity": "extension.rate"}),
         ("VectorDrive", "axis", "FlexibleModes", "axis", {"velocity": "base.velocity"}),
         ("MobileBase", "base", "BoomCrane", "base", {name: name for name in BASE}),
+        (
+            "BoomCrane",
+            "swing",
+            "VisionSensor",
+            "swing",
+            {"swing.radial": "swing.radial", "swing.tangential": "swing.tangential"},
+        ),
+        (
+            "BridgeCrane",
+            "hook_swing",
+            "VisionSensor",
+            "swing",
+            {"hook.swing.radial": "swing.radial", "hook.swing.tangential": "swing.tangential"},
+        ),
+        ("BridgeCrane", "trolley", "RangeSensor", "axis", {"trolley.x": "distance"}),
+        ("BoomCrane", "hoist", "VisionSensor", "hoist", {"hoist.length": "hoist.length"}),
+        ("BoomCrane", "luff", "VisionSensor", "luff", {"luff.angle": "luff.angle"}),
     ],
 )
 def test_connected_terminals_wire_the_crane(named, giver, gives, taker, takes, joined):

@@ -63,7 +63,7 @@ pub struct Declaration {
     pub length: Option<&'static str>,
     /// Another name of the variable.
     pub alias: Option<&'static str>,
-    /// The clock that a discrete variable is computed by.
+    /// The clocks that a discrete variable is computed by, with spaces between their names.
     pub clock: Option<&'static str>,
     /// The inputs and states that a discrete variable depends on; `None` means all.
     pub depends_on: Option<&'static [&'static str]>,
@@ -75,6 +75,11 @@ impl Declaration {
     /// How many scalars it has.
     pub fn count(&self) -> usize {
         self.dimension.unwrap_or(1)
+    }
+
+    /// The names of the clocks that it is computed by.
+    pub fn clocks(&self) -> impl Iterator<Item = &'static str> {
+        self.clock.unwrap_or_default().split_whitespace()
     }
 
     /// Whether a number lies within the bounds.

@@ -10,6 +10,8 @@ use crate::packaged;
 pub enum Set<'a> {
     /// A float.
     Real(f64),
+    /// An integer.
+    Integer(i32),
     /// A truth value.
     Switch(bool),
     /// A string, or an item of an enumeration.
@@ -19,6 +21,12 @@ pub enum Set<'a> {
 impl From<f64> for Set<'_> {
     fn from(value: f64) -> Self {
         Self::Real(value)
+    }
+}
+
+impl From<i32> for Set<'_> {
+    fn from(value: i32) -> Self {
+        Self::Integer(value)
     }
 }
 
@@ -79,6 +87,7 @@ impl Instance {
         let (reference, data_type) = ([variable.value_reference], variable.data_type);
         match (value.into(), data_type) {
             (Set::Real(value), _) => self.slave.set_float(data_type, &reference, &[value]),
+            (Set::Integer(value), _) => self.slave.set_integer(data_type, &reference, &[value.into()]),
             (Set::Switch(value), _) => self.slave.set_boolean(&reference, &[value]),
             (Set::Text(item), DataType::Enumeration) => {
                 let types = &self.description.type_definitions;

@@ -20,6 +20,7 @@ mod platforms;
 #[cfg(target_os = "linux")]
 mod portable;
 mod python;
+mod range_sensor;
 mod reference;
 mod repository;
 mod reproducible;
@@ -27,3 +28,4 @@ mod thesis_figures;
 mod tower_crane;
 mod vector_drive;
 mod vertical_pendulum;
+mod vision_sensor;

@@ -16,9 +16,9 @@ fn clock_reference<M: Model>(index: usize) -> u32 {
 
 /// The value references of the clocks that compute a variable.
 pub fn clocks_of<M: Model>(declaration: &Declaration, variant: Variant) -> Vec<u32> {
-    let own = declaration.clock.filter(|_| variant == Variant::Clocked);
-    let named = M::CLOCKS.iter().position(|clock| Some(clock.name) == own);
-    named.map(clock_reference::<M>).into_iter().collect()
+    let own = |name: &str| declaration.clocks().any(|clock| clock == name);
+    let computing = M::CLOCKS.iter().enumerate().filter(|(_, clock)| variant == Variant::Clocked && own(clock.name));
+    computing.map(|(index, _)| clock_reference::<M>(index)).collect()
 }
 
 /// The clocks as variables.

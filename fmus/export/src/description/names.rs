@@ -27,7 +27,7 @@ pub fn wrong<M: Model>() -> Vec<String> {
         if let Some(length) = declaration.length.filter(|length| !sizes.iter().any(|known| known == length)) {
             problems.push(format!("{name} has length `{length}`, which is no parameter of type u32"));
         }
-        if let Some(clock) = declaration.clock.filter(|clock| !is_clock(clock)) {
+        for clock in declaration.clocks().filter(|clock| !is_clock(clock)) {
             problems.push(format!("{name} has clock `{clock}`, which is not among the model's CLOCKS"));
         }
     }

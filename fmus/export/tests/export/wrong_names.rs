@@ -16,7 +16,7 @@ struct Discrete<R: Scalar> {
     #[variable(output, length = "tail")]
     dog: [R; 3],
     /// Computed when nothing there is ticks.
-    #[variable(output, clock = "heart")]
+    #[variable(output, clock = "moon heart")]
     blood: R,
 }
 
@@ -51,4 +51,5 @@ fn names_that_lead_nowhere_are_told_all_at_once() {
     for (who, what) in [("island", "`sea`"), ("dog", "`tail`"), ("blood", "`heart`"), ("moon", "`sun`")] {
         assert!(text.contains(who) && text.contains(what), "{text}");
     }
+    assert!(!text.contains("`moon`"), "{text}");
 }
