@@ -6,11 +6,13 @@ use swayless_modeldesc::ssp;
 
 use crate::packaged::{self, repository};
 
-/// Parameter sets that an example takes in the place of its own, by `--parameter-set`.
-const SETS: [(&str, &str); 3] = [
+/// Parameter sets, each with an example that takes it by `--parameter-set`, in the place of its own or once more.
+const SETS: [(&str, &str); 5] = [
     ("industrial-bridge-crane", "bridge-crane"),
     ("ten-ton-bridge-crane", "bridge-crane"),
     ("portable-bridge-crane", "bridge-crane"),
+    ("kobelco-ck800", "boom-tip-camera"),
+    ("luffing-rig", "luffing-rig"),
 ];
 
 /// Files with this extension, one folder below the examples.

@@ -6,6 +6,7 @@ mod braking_drive;
 mod bridge_crane;
 mod command_source;
 mod example_drives;
+mod example_luffing;
 mod examples;
 mod flexible_modes;
 mod fuzz;
