@@ -12,6 +12,7 @@ mod flexible_modes;
 mod fuzz;
 mod instance;
 mod libraries;
+mod linearised;
 mod loaded_drive;
 mod luff_rigging;
 mod mistakes;

@@ -18,7 +18,7 @@ const POSITION: f64 = 1e-6;
 const TENSION: f64 = 1e-5;
 
 /// A joint: a number where it rests, `[t0, t1, from, to]` where it moves.
-struct Joint([f64; 4]);
+pub struct Joint(pub [f64; 4]);
 
 impl Joint {
     fn of(definition: &Json, name: &str) -> Self {
@@ -30,14 +30,14 @@ impl Joint {
     }
 
     /// The quintic from rest to rest.
-    fn at(&self, time: f64) -> f64 {
+    pub fn at(&self, time: f64) -> f64 {
         let [begin, end, from, to] = self.0;
         let s = ((time - begin) / (end - begin)).clamp(0.0, 1.0);
         from + (to - from) * s.powi(3) * (10.0 - 15.0 * s + 6.0 * s * s)
     }
 
     /// Its rate and acceleration.
-    fn rates(&self, time: f64) -> [f64; 2] {
+    pub fn rates(&self, time: f64) -> [f64; 2] {
         let [begin, end, from, to] = self.0;
         let s = ((time - begin) / (end - begin)).clamp(0.0, 1.0);
         let scale = (to - from) / (end - begin);
