@@ -11,6 +11,8 @@ SPREAD = 1e-3
 """Distance of the points that differences are taken over, relative to a value's magnitude."""
 AGREEMENT = 1e-8
 """Largest difference from the sixth-order difference, relative to the magnitude of the column."""
+ROUNDING = 1e-15
+"""What is lost of a number where two that are almost the same are subtracted, relative to it."""
 
 
 def settable(fmu):
@@ -83,6 +85,7 @@ def test_derivatives_by_what_is_set_before_the_start(fmu):
                     return read(instance, rows)
 
             expected = (45 * (at(1) - at(-1)) - 9 * (at(2) - at(-2)) + (at(3) - at(-3))) / (60 * h)
+            lost = ROUNDING / h * np.abs(at(0)).max()
             worst = np.abs(column - expected).max()
-            assert worst <= AGREEMENT * (1.0 + np.abs(expected).max()), (v.name, worst)
+            assert worst <= AGREEMENT * (1.0 + np.abs(expected).max()) + lost, (v.name, worst)
     assert columns

@@ -28,10 +28,10 @@ pub struct BoomParameters<R: Scalar> {
     #[variable(unit = "m", start = 18.0, min = SHORTEST, max = 1e4)]
     pub length: R,
     /// Least extension of the telescoping boom, where it stops; in any case it stops before its length is 0.
-    #[variable(unit = "m", start = -1e4, min = -1e4, max = 1e4)]
+    #[variable(unit = "m", start = -1e3, min = -1e4, max = 1e4)]
     pub extension_min: R,
     /// Greatest extension of the telescoping boom, where it stops.
-    #[variable(unit = "m", start = 1e4, min = -1e4, max = 1e4)]
+    #[variable(unit = "m", start = 1e3, min = -1e4, max = 1e4)]
     pub extension_max: R,
     /// Distance of the slewing axis and boom foot ahead of the base's reference point (a).
     #[variable(unit = "m", min = -1e4, max = 1e4)]

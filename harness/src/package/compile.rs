@@ -22,22 +22,16 @@ pub const ZIGBUILD: &str = "cargo-zigbuild";
 /// The version of the GNU C library that portable libraries make do with.
 const GLIBC: &str = "2.28";
 
-/// Compiles FMU crates and returns their libraries, in the same order. Cargo unites the features of the packages it is
-/// given, so that the bytes of one depend on the others it is built with: all that are shipped are built in one run, and
-/// those for tests in another.
+/// Compiles FMU crates and returns their libraries, in the same order. The bytes of one should not depend on the others
+/// that are built with it: cargo unites the features of the packages it is given, so what all of them share asks for all
+/// features that any of them needs.
 pub fn compile(
     workspace: &Workspace,
     crates: &[FmuCrate],
     target_dir: &Path,
     portable: bool,
 ) -> Result<Vec<PathBuf>, Error> {
-    let mut artifacts = Vec::new();
-    for is_test in [false, true] {
-        if crates.iter().any(|c| c.is_test == is_test) {
-            let together: Vec<_> = workspace.crates.iter().filter(|c| c.is_test == is_test).collect();
-            artifacts.extend(run(builder(portable)?, workspace, &together, target_dir)?);
-        }
-    }
+    let artifacts = run(builder(portable)?, workspace, crates, target_dir)?;
     crates.iter().map(|c| library(&artifacts, c).ok_or_else(|| Error::NoLibrary(c.name.clone()))).collect()
 }
 
@@ -45,7 +39,7 @@ pub fn compile(
 fn run(
     mut command: Command,
     workspace: &Workspace,
-    crates: &[&FmuCrate],
+    crates: &[FmuCrate],
     target_dir: &Path,
 ) -> Result<Vec<Artifact>, Error> {
     // Cargo reads configuration from the current folder upwards, so it is run in the workspace, as a user would.
