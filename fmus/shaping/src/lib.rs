@@ -17,7 +17,8 @@
 //!
 //! Units are SI: seconds, rad/s. Amplitudes are shares of the command and sum to 1. Equation numbers are those of
 //! J. Danielson, *Mobile Boom Cranes and Advanced Input Shaping Control*, Georgia Institute of Technology, 2008.
-//! Nothing in a design allocates: a design may be renewed inside a simulation step.
+//! [`specified_insensitivity`] gives the shortest shaper for a whole range of frequencies.
+//! Nothing in a [`design`] allocates: it may be renewed inside a simulation step.
 
 mod analysis;
 mod binomial;
@@ -28,6 +29,7 @@ mod even;
 mod insensitivity;
 mod mode;
 mod shaper;
+mod specified;
 mod train;
 mod umzv;
 
@@ -37,4 +39,5 @@ pub use error::{DesignError, ModeError, ShaperError};
 pub use insensitivity::{Band, band, insensitivity};
 pub use mode::Mode;
 pub use shaper::{Impulse, MAX_IMPULSES, Shaper};
+pub use specified::{SpecifiedError, specified_insensitivity};
 pub use train::{Pending, Trains};

@@ -6,6 +6,7 @@ mod oscillator;
 mod properties;
 mod reference;
 mod refusals;
+mod specified;
 mod trains;
 
 use swayless_shaping::{Impulse, Kind, Mode, Shaper, design};

@@ -1,0 +1,166 @@
+//! The least vibration that trains of a given length can be held to, found by exchange.
+//!
+//! Over the places τ of impulses xₖ ≥ 0, Σxₖ = 1, and the frequencies ω of the range, the least highest vibration is
+//!
+//! v = min over x of max over ω |Σ xₖ e(ω, τₖ)| = min over x of max over (ω, φ) Re e^{−jφ} Σ xₖ e(ω, τₖ).
+//!
+//! That is a game: one side mixes places, the other mixes cuts (ω, φ), both from a compact set, and the payoff is smooth, so
+//! the game has a value. It is solved with finitely many places and cuts, each side's best answers to the other's mix are added,
+//! and so on (the double-oracle method; for the cuts alone it is Remez' exchange). In every round the other side's mix
+//! bounds the value of the whole game from either side: `min over τ of p(τ) ≤ v ≤ max over ω of |f(ω)|`, whatever the points.
+
+use nalgebra::{Complex, DMatrix};
+
+use super::extrema::{Jet, minima};
+use super::game;
+use super::response::Response;
+
+/// A tangent to the cone |f(ω)| ≤ v: Re(e^{−jφ} f(ω)) ≤ v.
+#[derive(Clone, Copy)]
+pub(super) struct Cut {
+    pub omega: f64,
+    /// e^{jφ}
+    pub direction: Complex<f64>,
+}
+
+/// Both sides' mixes.
+#[derive(Clone, Default)]
+pub(super) struct Mix {
+    /// Places and shares x of the impulses.
+    pub train: Vec<(f64, f64)>,
+    /// Cuts and their weights y.
+    pub weights: Vec<(Cut, f64)>,
+}
+
+impl Mix {
+    /// p(τ) = Σ y Re(e^{−jφ} e(ω, τ)) with its slope and curvature.
+    pub fn price(&self, response: Response, tau: f64) -> Jet {
+        self.weights.iter().fold([0.0; 3], |[value, slope, curvature], (cut, weight)| {
+            let e = response.derivatives(cut.omega, tau);
+            let part = |e: Complex<f64>| (cut.direction.conj() * e).re * weight;
+            [value + part(e.value), slope + part(e.by_tau), curvature + part(e.by_tau_tau)]
+        })
+    }
+
+    /// f(ω) with its first two derivatives.
+    pub fn answer(&self, response: Response, omega: f64) -> [Complex<f64>; 3] {
+        self.train.iter().fold([Complex::ZERO; 3], |[value, slope, curvature], (tau, share)| {
+            let e = response.derivatives(omega, *tau);
+            [value + e.value * *share, slope + e.by_omega * *share, curvature + e.by_omega_omega * *share]
+        })
+    }
+}
+
+/// Frequencies, damping and what has been exchanged so far.
+pub(super) struct Exchange {
+    pub response: Response,
+    pub low: f64,
+    pub high: f64,
+    cuts: Vec<Cut>,
+    places: Vec<f64>,
+}
+
+/// What the game says about a length of train.
+pub(super) enum Verdict {
+    /// No train of this length holds the limit: v is above it.
+    TooShort(Mix),
+    /// The mix's train holds it.
+    LongEnough(Mix),
+    /// Rounding hides the answer.
+    Close(Mix),
+}
+
+impl Exchange {
+    pub fn new(response: Response, low: f64, high: f64) -> Self {
+        Self { response, low, high, cuts: Vec::new(), places: Vec::new() }
+    }
+
+    /// Minima of p over all places: the best answers to the weights.
+    pub fn prices(&self, mix: &Mix, longest: f64) -> Vec<(f64, Jet)> {
+        minima(0.0..=longest, samples(self.high * longest), |tau| mix.price(self.response, tau))
+    }
+
+    /// Minima of −|f|²/2 over all frequencies: the best answers to the train.
+    pub fn humps(&self, mix: &Mix, longest: f64) -> Vec<(f64, Jet)> {
+        minima(self.low..=self.high, samples((self.high - self.low) * longest), |omega| {
+            let [f, slope, curvature] = mix.answer(self.response, omega);
+            let bend = slope.norm_sqr() + (f.conj() * curvature).re;
+            [-0.5 * f.norm_sqr(), -(f.conj() * slope).re, -bend]
+        })
+    }
+
+    /// Whether a train with places up to `longest` can keep V at the limit. The points that the answer uses are kept for the
+    /// next question. `None` if rounding broke the game itself.
+    pub fn judge(&mut self, longest: f64, limit: f64) -> Option<Verdict> {
+        let verdict = self.play_rounds(longest, limit)?;
+        let (Verdict::TooShort(mix) | Verdict::LongEnough(mix) | Verdict::Close(mix)) = &verdict;
+        self.places = mix.train.iter().map(|(place, _)| *place).collect();
+        self.cuts = mix.weights.iter().map(|(cut, _)| *cut).collect();
+        Some(verdict)
+    }
+
+    fn play_rounds(&mut self, longest: f64, limit: f64) -> Option<Verdict> {
+        self.places.retain(|place| *place < longest);
+        self.places.push(longest);
+        let (mut gap, mut idle) = (f64::INFINITY, 0);
+        if self.cuts.is_empty() {
+            self.places.push(0.0);
+            self.cuts.extend([self.low, self.high].map(|omega| Cut { omega, direction: Complex::ONE }));
+        }
+        for _ in 0..MAX_ROUNDS {
+            let mix = self.play()?;
+            let prices = self.prices(&mix, longest);
+            let humps = self.humps(&mix, longest);
+            let lower = prices.iter().map(|(_, [price, ..])| *price).fold(f64::INFINITY, f64::min);
+            let upper = humps.iter().map(|(_, [half, ..])| (-2.0 * half).sqrt()).fold(0.0, f64::max);
+            if lower > limit {
+                return Some(Verdict::TooShort(mix));
+            }
+            if upper <= limit {
+                return Some(Verdict::LongEnough(mix));
+            }
+            idle = if upper - lower < 0.99 * gap { 0 } else { idle + 1 };
+            gap = gap.min(upper - lower);
+            if gap <= GAP || idle > MAX_IDLE {
+                return Some(Verdict::Close(mix));
+            }
+            let value = 0.5 * (lower + upper);
+            self.places.extend(prices.iter().filter(|(_, jet)| jet[0] < value).map(|(place, _)| *place));
+            for (omega, [half, ..]) in humps {
+                let size = (-2.0 * half).sqrt();
+                if size > value {
+                    let [f, ..] = mix.answer(self.response, omega);
+                    self.cuts.push(Cut { omega, direction: f / size });
+                }
+            }
+        }
+        None
+    }
+
+    /// Solves the game of the present points.
+    fn play(&mut self) -> Option<Mix> {
+        let payoff = DMatrix::from_fn(self.cuts.len(), self.places.len(), |cut, place| {
+            let cut = self.cuts[cut];
+            (cut.direction.conj() * self.response.value(cut.omega, self.places[place])).re
+        });
+        let solution = game::solve(&payoff)?;
+        let used = |share: &f64| *share > 0.0;
+        let train = self.places.iter().copied().zip(solution.columns).filter(|(_, share)| used(share)).collect();
+        let weights = self.cuts.iter().copied().zip(solution.rows).filter(|(_, share)| used(share)).collect();
+        Some(Mix { train, weights })
+    }
+}
+
+/// Enough for functions that oscillate over the given phase.
+pub(super) fn samples(phase: f64) -> usize {
+    16 + (10.0 * phase) as usize
+}
+
+/// Rounds of exchange; about ten are usual.
+const MAX_ROUNDS: usize = 200;
+
+/// Rounds without progress after which rounding is all that is left.
+const MAX_IDLE: u32 = 20;
+
+/// Bounds this close to each other are equal to rounding.
+const GAP: f64 = 1e-13;
