@@ -2,7 +2,7 @@
 
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
-use swayless_shaping::{Kind, Mode, Trains, design, insensitivity};
+use swayless_shaping::{Band, Kind, Mode, Trains, design, insensitivity, specified_insensitivity};
 
 // shows that nothing is allocated
 #[global_allocator]
@@ -31,6 +31,13 @@ fn damped(kind: &Kind) {
 fn width(bencher: Bencher<'_, '_>, kind: &Kind) {
     let shaper = design(*kind, mode(0.0), 0.05).expect("undamped designs exist");
     bencher.bench_local(|| insensitivity(black_box(&shaper), mode(0.0), black_box(0.05)));
+}
+
+/// SI for 5 % over a range of the given width, in thousandths; this one allocates.
+#[divan::bench(args = [(300, 0.0), (500, 0.0), (700, 0.0), (300, 0.1), (500, 0.1), (700, 0.1)])]
+fn specified((width, damping_ratio): (u32, f64)) {
+    let range = Band::around(1.0, f64::from(width) * 1e-3).expect("an insensitivity in range");
+    let _ = black_box(specified_insensitivity(black_box(range), black_box(damping_ratio), black_box(0.05)));
 }
 
 /// A ramp sampled every step, so that each step spawns a train and as many impulses are due; per step.

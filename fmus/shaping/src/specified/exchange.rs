@@ -33,6 +33,18 @@ pub(super) struct Mix {
 }
 
 impl Mix {
+    /// The train with its places in order, each once.
+    pub fn ordered_train(&self) -> Vec<(f64, f64)> {
+        let mut train = self.train.clone();
+        train.sort_by(|a, b| a.0.total_cmp(&b.0));
+        train.dedup_by(|later, earlier| {
+            let same = later.0 == earlier.0;
+            earlier.1 += if same { later.1 } else { 0.0 };
+            same
+        });
+        train
+    }
+
     /// p(τ) = Σ y Re(e^{−jφ} e(ω, τ)) with its slope and curvature.
     pub fn price(&self, response: Response, tau: f64) -> Jet {
         self.weights.iter().fold([0.0; 3], |[value, slope, curvature], (cut, weight)| {

@@ -20,7 +20,7 @@ pub use error::SpecifiedError;
 use std::f64::consts::TAU;
 
 use crate::{Band, Impulse, MAX_IMPULSES, Mode, Shaper};
-use exchange::{Exchange, Verdict};
+use exchange::{Exchange, Mix, Verdict};
 use polish::polish;
 use response::Response;
 
@@ -41,7 +41,7 @@ impl Band {
 /// Designs the SI shaper: of all trains of positive impulses that keep V ≤ `vibration_limit` at every frequency of `range`, all
 /// with the same damping ratio, the shortest.
 ///
-/// That it keeps the limit and that no shorter one does is checked for every result, both to 1e-9 of the limit. Without
+/// That it keeps the limit and that no shorter one does is checked for every result, to 1e-9 of the limit and duration. Without
 /// damping the shaper is symmetric in time. Allocates and takes milliseconds: not meant for the inside of a simulation step.
 ///
 /// # Errors
@@ -77,41 +77,44 @@ fn shortest(mut exchange: Exchange, limit: f64) -> Result<Vec<(f64, f64)>, Speci
         Response::Damped(_) => 0.0,
     };
     let mut long = (short * 1.01).max(0.5 * TAU / 4.0 * exchange.response.duration_per_place());
-    let mut width = f64::INFINITY;
+    let mut holds: Option<Mix> = None;
     loop {
         // first upwards until the limit is held, then inwards
-        let bracketed = width.is_finite();
-        let at = if bracketed { 0.5 * (short + long) } else { long };
+        let at = if holds.is_some() { 0.5 * (short + long) } else { long };
         if at > longest {
             return Err(SpecifiedError::TooLong);
         }
-        let mix = match exchange.judge(at, limit) {
-            Some(Verdict::TooShort(mix)) => {
+        let verdict = exchange.judge(at, limit).ok_or(SpecifiedError::NotFound)?;
+        let (Verdict::TooShort(mix) | Verdict::LongEnough(mix) | Verdict::Close(mix)) = &verdict;
+        if holds.is_some()
+            && let Some(train) = polish(&exchange, mix, at, limit)
+        {
+            return Ok(train);
+        }
+        let undecided = matches!(verdict, Verdict::Close(_));
+        match verdict {
+            Verdict::TooShort(_) => {
                 short = at;
-                long = if bracketed { long } else { 1.3 * at };
-                mix
+                long = if holds.is_some() { long } else { 1.3 * at };
             }
-            Some(Verdict::LongEnough(mix)) => {
+            Verdict::LongEnough(mix) => {
                 long = at;
-                width = long - short;
-                mix
+                holds = Some(mix);
             }
-            Some(Verdict::Close(mix)) => {
-                return polish(&exchange, &mix, at, limit).ok_or(SpecifiedError::NotFound);
-            }
-            None => return Err(SpecifiedError::NotFound),
-        };
-        if bracketed {
-            width = long - short;
-            if let Some(train) = polish(&exchange, &mix, at, limit) {
-                return Ok(train);
-            }
-            if width < 1e-10 * long {
-                return Err(SpecifiedError::NotFound);
-            }
+            Verdict::Close(_) => {}
+        }
+        let close = long - short <= CLOSE * long;
+        match &holds {
+            Some(mix) if close => return Ok(mix.ordered_train()),
+            _ if close || undecided => return Err(SpecifiedError::NotFound),
+            _ => {}
         }
     }
 }
+
+/// Where an impulse is about to split in two, Newton's method finds no footing. The bisection does, to this share of the
+/// duration; only the impulses that are splitting, all but equal in time, are then not exact.
+const CLOSE: f64 = 1e-9;
 
 /// Longest train looked for, in periods of the middle frequency.
 const MAX_PERIODS: f64 = 12.0;

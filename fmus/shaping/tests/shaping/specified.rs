@@ -160,6 +160,19 @@ proptest! {
     }
 }
 
+/// There Newton's method finds no footing; the bisection's train is as good.
+#[test]
+fn an_impulse_about_to_split_in_two() {
+    let (range, zeta, limit) =
+        (around(1.0, 0.537_046_399_290_691), 0.009_864_640_126_457_958, 0.088_744_728_020_525_17);
+    let si = designed(range, zeta, limit);
+    assert!(highest(&si, range, zeta) <= limit * (1.0 + 2e-9));
+    // neighbours that are not in that place, one asked for less and one for more
+    let neighbour = |share: f64| designed(range, zeta, limit * share).duration();
+    let (shorter, longer) = (neighbour(1.0 + 1e-6), neighbour(1.0 - 1e-6));
+    assert!(shorter < si.duration() && si.duration() < longer && longer - shorter < 1e-5, "{shorter} {longer} {si:?}");
+}
+
 #[test]
 fn refusals() {
     let refused = |lower, upper, zeta, limit| specified_insensitivity(Band { lower, upper }, zeta, limit).unwrap_err();
