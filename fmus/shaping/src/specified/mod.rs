@@ -42,7 +42,7 @@ impl Band {
 /// with the same damping ratio, the shortest.
 ///
 /// That it keeps the limit and that no shorter one does is checked for every result, to 1e-9 of the limit and duration. Without
-/// damping the shaper is symmetric in time. Allocates and takes milliseconds: not meant for the inside of a simulation step.
+/// damping the shaper is symmetric in time. Allocates and takes up to some milliseconds: not meant for the inside of a simulation step.
 ///
 /// # Errors
 /// [`SpecifiedError`] for a range, damping ratio or limit that is none, for a shaper that would be too long or have too many
