@@ -1,4 +1,4 @@
-//! ZV, ZVD and ZVDD: impulses every half damped period, with binomial amplitudes.
+//! ZV, ZVD, ZVDD and ZVDDD: impulses every half damped period, with binomial amplitudes.
 
 use crate::{Mode, Shaper};
 

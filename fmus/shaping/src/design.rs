@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::{DesignError, Mode, Shaper, binomial, ei, umzv};
+use crate::{DesignError, Mode, Shaper, binomial, ei, humps, umzv};
 
 /// The kinds of shaper for one mode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -15,15 +15,37 @@ pub enum Kind {
     ZVD,
     /// Zero vibration and two derivatives, 3T_d/2 long.
     ZVDD,
+    /// Zero vibration and three derivatives, 2T_d long.
+    ZVDDD,
     /// Extra-insensitive, T_d long: allows a little vibration at the design frequency to gain width around it.
     EI,
+    /// Two-hump extra-insensitive, about 3T/2 long: no vibration at the design frequency, humps of the limit on either side.
+    TwoHumpEI,
+    /// Three-hump extra-insensitive, about 2T long: a hump of the limit at the design frequency and one on either side.
+    ThreeHumpEI,
     /// Unity-magnitude zero vibration (1.3), impulses +1, −1, +1, about T/3 long: fast, but may exceed the command's range.
     UMZV,
+    /// Unity-magnitude zero vibration and derivative, impulses +1, −1, +1, −1, +1, about 0.73T long.
+    UMZVD,
+    /// Unity-magnitude extra-insensitive: five impulses like UMZVD's, with a hump of the limit at the design frequency.
+    UMEI,
 }
 
 impl Kind {
     /// All kinds, in the order of their declaration.
-    pub const ALL: [Self; 6] = [Self::None, Self::ZV, Self::ZVD, Self::ZVDD, Self::EI, Self::UMZV];
+    pub const ALL: [Self; 11] = [
+        Self::None,
+        Self::ZV,
+        Self::ZVD,
+        Self::ZVDD,
+        Self::ZVDDD,
+        Self::EI,
+        Self::TwoHumpEI,
+        Self::ThreeHumpEI,
+        Self::UMZV,
+        Self::UMZVD,
+        Self::UMEI,
+    ];
 
     /// The name, as in the literature.
     #[must_use]
@@ -33,8 +55,13 @@ impl Kind {
             Self::ZV => "ZV",
             Self::ZVD => "ZVD",
             Self::ZVDD => "ZVDD",
+            Self::ZVDDD => "ZVDDD",
             Self::EI => "EI",
+            Self::TwoHumpEI => "TwoHumpEI",
+            Self::ThreeHumpEI => "ThreeHumpEI",
             Self::UMZV => "UMZV",
+            Self::UMZVD => "UMZVD",
+            Self::UMEI => "UMEI",
         }
     }
 }
@@ -47,19 +74,26 @@ impl fmt::Display for Kind {
 
 /// Designs the shaper of the given kind for one mode. Does not allocate.
 ///
-/// `vibration_limit` is the residual vibration V at the design frequency, as a share of the unshaped one, that `EI` works
-/// with (usually 0.05); the other kinds do not look at it.
+/// `vibration_limit` is the residual vibration V, as a share of the unshaped one, that `EI`, `TwoHumpEI`, `ThreeHumpEI` and `UMEI`
+/// work with (usually 0.05); the other kinds do not look at it. All of these but `TwoHumpEI` have it at the design frequency.
 ///
 /// # Errors
-/// [`DesignError::VibrationLimit`] for an `EI` limit outside 0 ≤ V < 1; [`DesignError::NoSolution`] when damping and limit are
-/// both so large that `EI`'s equations have no solution with positive impulses (none is missing for ζ ≤ 0.3 with V ≤ 0.1).
+/// [`DesignError::VibrationLimit`] for such a kind's limit outside 0 ≤ V < 1; [`DesignError::NoSolution`] when damping, or damping
+/// and limit, are so large that the kind's equations have no solution, with positive impulses where it has them; it names a
+/// damping ratio that has one. For V = 0.05, `EI` has solutions up to ζ = 0.6, `TwoHumpEI` 0.36, `ThreeHumpEI` 0.26, `UMEI` 0.65,
+/// and `UMZVD` has them up to 0.85; for V = 0.1, `TwoHumpEI` up to 0.28 and `ThreeHumpEI` 0.19.
 pub fn design(kind: Kind, mode: Mode, vibration_limit: f64) -> Result<Shaper, DesignError> {
     match kind {
         Kind::None => Ok(Shaper::unshaped()),
         Kind::ZV => Ok(binomial::design::<2>(mode)),
         Kind::ZVD => Ok(binomial::design::<3>(mode)),
         Kind::ZVDD => Ok(binomial::design::<4>(mode)),
+        Kind::ZVDDD => Ok(binomial::design::<5>(mode)),
         Kind::EI => ei::design(mode, vibration_limit),
+        Kind::TwoHumpEI => humps::two_hump(mode, vibration_limit),
+        Kind::ThreeHumpEI => humps::three_hump(mode, vibration_limit),
         Kind::UMZV => umzv::design(mode),
+        Kind::UMZVD => humps::unity(kind, mode, 0.0),
+        Kind::UMEI => humps::unity(kind, mode, vibration_limit),
     }
 }

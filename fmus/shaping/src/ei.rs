@@ -35,10 +35,11 @@ pub(crate) fn design(mode: Mode, limit: f64) -> Result<Shaper, DesignError> {
     let solution = if zeta == 0.0 {
         undamped(limit)
     } else {
-        solve(zeta, limit).ok_or(DesignError::NoSolution {
+        solve(zeta, limit).map_err(|nearest| DesignError::NoSolution {
             kind: Kind::EI,
             damping_ratio: zeta,
             vibration_limit: Some(limit),
+            nearest_damping_ratio: Some(nearest),
         })?
     };
     let [a2, a3, x2, ..] = solution.0;
@@ -50,8 +51,8 @@ pub(crate) fn design(mode: Mode, limit: f64) -> Result<Shaper, DesignError> {
 #[derive(Clone, Copy)]
 struct Unknowns([f64; 5]);
 
-fn solve(zeta: f64, limit: f64) -> Option<Unknowns> {
-    newton(fit(zeta, limit), zeta, limit).or_else(|| continuation(zeta, limit))
+fn solve(zeta: f64, limit: f64) -> Result<Unknowns, f64> {
+    newton(fit(zeta, limit), zeta, limit).map_or_else(|| continuation(zeta, limit), Ok)
 }
 
 /// The undamped shaper: V(w) = |(1 − V)/2 + (1 + V)/2 cos πw| is 0 where cos πw = −(1 − V)/(1 + V).
@@ -77,15 +78,16 @@ fn fit(z: f64, v: f64) -> Unknowns {
     Unknowns([1.0 - a1 - a3, a3, TAU * t2, 1.0, spread * spread])
 }
 
-/// Follows the solution from ζ = 0, where it is known, in steps as large as Newton's method takes.
-fn continuation(zeta: f64, limit: f64) -> Option<Unknowns> {
+/// Follows the solution from ζ = 0, where it is known, in steps as large as Newton's method takes. Where it ends before, the
+/// last damping ratio that has one.
+fn continuation(zeta: f64, limit: f64) -> Result<Unknowns, f64> {
     let (mut here, mut before) = ((0.0, undamped(limit)), None);
     let mut step = 0.25 * zeta;
     for _ in 0..200 {
         let next = (here.0 + step).min(zeta);
         if let Some(solution) = newton(extrapolate(here, before, next), next, limit) {
             if next == zeta {
-                return Some(solution);
+                return Ok(solution);
             }
             before = Some(here);
             here = (next, solution);
@@ -93,11 +95,11 @@ fn continuation(zeta: f64, limit: f64) -> Option<Unknowns> {
         } else {
             step *= 0.5;
             if step < 1e-4 * zeta {
-                return None;
+                break;
             }
         }
     }
-    None
+    Err(here.0)
 }
 
 fn extrapolate(here: (f64, Unknowns), before: Option<(f64, Unknowns)>, zeta: f64) -> Unknowns {

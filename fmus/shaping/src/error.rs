@@ -92,6 +92,8 @@ pub enum DesignError {
         damping_ratio: f64,
         /// The vibration limit, if the kind works with one.
         vibration_limit: Option<f64>,
+        /// A damping ratio next to where solutions end that has one, all else the same, if one is known.
+        nearest_damping_ratio: Option<f64>,
     },
 }
 
@@ -101,13 +103,15 @@ impl fmt::Display for DesignError {
             Self::VibrationLimit { value } => {
                 write!(f, "the vibration limit is {value}; it must be at least 0 and less than 1")
             }
-            Self::NoSolution { kind, damping_ratio, vibration_limit: Some(limit) } => write!(
-                f,
-                "no {kind} shaper was found for the damping ratio {damping_ratio} and the vibration limit {limit}; \
-                 less damping or a lower limit has one"
-            ),
-            Self::NoSolution { kind, damping_ratio, vibration_limit: None } => {
-                write!(f, "no {kind} shaper was found for the damping ratio {damping_ratio}; less damping has one")
+            Self::NoSolution { kind, damping_ratio, vibration_limit, nearest_damping_ratio } => {
+                write!(f, "no {kind} shaper was found for the damping ratio {damping_ratio}")?;
+                if let Some(limit) = vibration_limit {
+                    write!(f, " and the vibration limit {limit}")?;
+                }
+                match nearest_damping_ratio {
+                    Some(nearest) => write!(f, "; there is one for a damping ratio of {nearest}"),
+                    None => f.write_str("; a lower limit has one"),
+                }
             }
         }
     }

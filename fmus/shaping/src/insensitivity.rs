@@ -33,7 +33,8 @@ pub fn band(shaper: &Shaper, mode: Mode, level: f64) -> Option<Band> {
 /// Insensitivity at a level: the full width of the [`band`] over which V ≤ `level`, divided by the mode's frequency. 0 if V at
 /// that frequency is above the level already.
 ///
-/// Without damping at 5 %: ZV 0.0637, ZVD 0.2871, ZVDD 0.4804, EI (for 5 %) 0.3995, UMZV 0.0551. A damped EI has the peak of
+/// Without damping at 5 %, and for a limit of 5 %: ZV 0.0637, ZVD 0.2871, ZVDD 0.4804, ZVDDD 0.6271, EI 0.3995, TwoHumpEI 0.7245,
+/// ThreeHumpEI 0.9639, UMZV 0.0551, UMZVD 0.2586, UMEI 0.3590. A damped EI has the peak of
 /// its hump beside the design frequency and up to about 1 % of V above its limit, so ask a little above the limit.
 #[must_use]
 pub fn insensitivity(shaper: &Shaper, mode: Mode, level: f64) -> f64 {

@@ -23,9 +23,11 @@
 mod analysis;
 mod binomial;
 mod design;
+mod differences;
 mod ei;
 mod error;
 mod even;
+mod humps;
 mod insensitivity;
 mod mode;
 mod shaper;

@@ -50,8 +50,16 @@ pub(crate) fn design(mode: Mode) -> Result<Shaper, DesignError> {
         }
         theta += step;
     }
-    Err(DesignError::NoSolution { kind: Kind::UMZV, damping_ratio: zeta, vibration_limit: None })
+    Err(DesignError::NoSolution {
+        kind: Kind::UMZV,
+        damping_ratio: zeta,
+        vibration_limit: None,
+        nearest_damping_ratio: Some(RESOLVED),
+    })
 }
+
+/// A damping ratio up to which t₃ − t₂ is not lost in rounding.
+const RESOLVED: f64 = 0.99;
 
 /// Newton needs four iterations from the fit; bisection of the whole bracket needs fifty.
 const MAX_ITERATIONS: usize = 100;

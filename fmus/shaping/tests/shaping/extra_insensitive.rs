@@ -7,7 +7,7 @@ use crate::{LIMIT, designed, distance, mode, shaper};
 const DAMPING: [f64; 9] = [0.0, 1e-6, 0.01, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3];
 
 /// The frequency (design frequency 1) between two others at which V is least, by golden-section search.
-fn minimum(shaper: &Shaper, zeta: f64, mut low: f64, mut high: f64) -> (f64, f64) {
+pub fn minimum(shaper: &Shaper, zeta: f64, mut low: f64, mut high: f64) -> (f64, f64) {
     let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
     while high - low > 1e-13 {
         let (left, right) = (high - golden * (high - low), low + golden * (high - low));
@@ -90,9 +90,13 @@ fn solutions_exist_far_beyond_usual_damping() {
 }
 
 #[test]
-fn says_so_where_there_is_no_solution() {
+fn says_so_where_there_is_no_solution_and_where_the_last_one_is() {
     let error = design(Kind::EI, mode(1.0, 0.8), 0.5).unwrap_err();
-    assert_eq!(error, DesignError::NoSolution { kind: Kind::EI, damping_ratio: 0.8, vibration_limit: Some(0.5) });
+    let DesignError::NoSolution { kind: Kind::EI, damping_ratio: 0.8, vibration_limit: Some(0.5), .. } = error else {
+        panic!("{error}")
+    };
+    let DesignError::NoSolution { nearest_damping_ratio: Some(nearest), .. } = error else { panic!("{error}") };
+    assert!(nearest > 0.1 && design(Kind::EI, mode(1.0, nearest), 0.5).is_ok(), "{nearest}");
     assert!(error.to_string().contains("0.8") && error.to_string().contains("0.5"));
 }
 

@@ -2,6 +2,7 @@
 
 mod closed_forms;
 mod extra_insensitive;
+mod humps;
 mod oscillator;
 mod properties;
 mod reference;

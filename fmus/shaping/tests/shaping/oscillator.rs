@@ -22,7 +22,7 @@ fn struck(shaper: &Shaper, omega: f64, zeta: f64) -> f64 {
 #[test]
 fn residual_vibration_is_what_a_struck_oscillator_keeps() {
     for kind in Kind::ALL {
-        for design_damping in [0.0, 0.05, 0.3] {
+        for design_damping in [0.0, 0.05, 0.25] {
             let shaper = designed(kind, 1.7, design_damping);
             for (omega, zeta) in [(1.7, design_damping), (1.7, 0.0), (1.2, 0.1), (2.5, 0.02), (5.1, 0.3), (0.01, 0.6)] {
                 let (formula, simulated) = (residual_vibration(&shaper, omega, zeta), struck(&shaper, omega, zeta));
@@ -35,7 +35,7 @@ fn residual_vibration_is_what_a_struck_oscillator_keeps() {
 
 #[test]
 fn shaped_oscillators_come_to_rest() {
-    for kind in [Kind::ZV, Kind::ZVD, Kind::ZVDD, Kind::UMZV] {
+    for kind in [Kind::ZV, Kind::ZVD, Kind::ZVDD, Kind::ZVDDD, Kind::UMZV, Kind::UMZVD] {
         for zeta in [0.0, 0.01, 0.1, 0.3, 0.6] {
             let left = struck(&designed(kind, 0.99, zeta), 0.99, zeta);
             assert!(left < 1e-13, "{kind} at ζ = {zeta}: {left:e}");

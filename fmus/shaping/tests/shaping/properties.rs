@@ -1,7 +1,9 @@
 //! What holds for every mode, every kind and every limit.
 
 use proptest::prelude::*;
-use swayless_shaping::{Band, Kind, Mode, band, design, insensitivity, residual_vibration, sensitivity_curve};
+use swayless_shaping::{
+    Band, DesignError, Kind, Mode, band, design, insensitivity, residual_vibration, sensitivity_curve,
+};
 
 use crate::{distance, mode, shaper};
 
@@ -15,21 +17,38 @@ fn modes() -> impl Strategy<Value = Mode> {
         .prop_map(|(exponent, zeta)| mode(10.0_f64.powf(exponent), zeta))
 }
 
+/// Where a kind with humps has no solution any more, the mode with the nearest damping that is said to have one.
+fn feasible(kind: Kind, wanted: Mode, limit: f64) -> Mode {
+    match design(kind, wanted, limit) {
+        Err(DesignError::NoSolution { nearest_damping_ratio: Some(nearest), .. }) => {
+            assert!(nearest > 0.1 && nearest < wanted.damping_ratio(), "{kind}: {nearest}");
+            mode(wanted.frequency(), nearest)
+        }
+        _ => wanted,
+    }
+}
+
 proptest! {
     #[test]
     fn designs_are_sound(kind in kinds(), mode in modes(), limit in 0.0..0.2_f64) {
+        let mode = feasible(kind, mode, limit);
         let shaper = design(kind, mode, limit).unwrap();
         prop_assert!((shaper.sum() - 1.0).abs() <= 1e-14);
         prop_assert_eq!(shaper.impulses()[0].time, 0.0);
         prop_assert!(shaper.impulses().is_sorted_by(|a, b| a.time < b.time));
-        prop_assert_eq!(shaper.is_positive(), kind != Kind::UMZV);
-        let expected = match kind { Kind::None => 1.0, Kind::EI => limit, _ => 0.0 };
+        prop_assert_eq!(shaper.is_positive(), !matches!(kind, Kind::UMZV | Kind::UMZVD | Kind::UMEI));
+        let expected = match kind {
+            Kind::None => 1.0,
+            Kind::EI | Kind::ThreeHumpEI | Kind::UMEI => limit,
+            _ => 0.0,
+        };
         let at_design = residual_vibration(&shaper, mode.frequency(), mode.damping_ratio());
         prop_assert!((at_design - expected).abs() <= 1e-12, "{} {}", at_design, expected);
     }
 
     #[test]
     fn time_scales_with_the_period(kind in kinds(), mode in modes(), limit in 0.0..0.2_f64) {
+        let mode = feasible(kind, mode, limit);
         let unit = Mode::new(1.0, mode.damping_ratio()).unwrap();
         let (scaled, unit) = (design(kind, mode, limit).unwrap(), design(kind, unit, limit).unwrap());
         let times = scaled.impulses().iter().map(|impulse| (impulse.time * mode.frequency(), impulse.amplitude));
@@ -41,13 +60,15 @@ proptest! {
 
     #[test]
     fn positive_shapers_never_amplify(kind in kinds(), mode in modes(), factor in 0.0..10.0_f64, zeta in 0.0..0.9_f64) {
+        let mode = feasible(kind, mode, 0.05);
         let shaper = design(kind, mode, 0.05).unwrap();
-        let most = if shaper.is_positive() { 1.0 } else { 3.0 };
+        let most = if shaper.is_positive() { 1.0 } else { shaper.impulses().len() as f64 };
         prop_assert!(residual_vibration(&shaper, factor * mode.frequency(), zeta) <= most + 1e-12);
     }
 
     #[test]
     fn bands_hold_what_they_promise(kind in kinds(), mode in modes(), level in 0.051..0.5_f64) {
+        let mode = feasible(kind, mode, 0.05);
         let shaper = design(kind, mode, 0.05).unwrap();
         let Some(Band { lower, upper }) = band(&shaper, mode, level) else {
             prop_assert_eq!(kind, Kind::None);
@@ -68,6 +89,7 @@ proptest! {
 
     #[test]
     fn bands_grow_with_the_level(kind in kinds(), mode in modes(), level in 0.0..0.5_f64, more in 0.0..0.5_f64) {
+        let mode = feasible(kind, mode, 0.05);
         let shaper = design(kind, mode, 0.05).unwrap();
         prop_assert!(insensitivity(&shaper, mode, level) <= insensitivity(&shaper, mode, level + more));
     }

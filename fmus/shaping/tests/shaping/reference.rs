@@ -28,10 +28,11 @@ fn undamped_shapers_and_their_insensitivity() {
         let (times, amplitudes) = (row["times_over_T"].as_array().unwrap(), row["amplitudes"].as_array().unwrap());
         assert_eq!(shaper.impulses().len(), times.len());
         for ((impulse, time), amplitude) in shaper.impulses().iter().zip(times).zip(amplitudes) {
+            // the times of UMZVD and UMEI are solved for, on both sides to a few roundings of five unit impulses
             close(impulse.time, time.as_f64().unwrap(), 1e-14);
             close(impulse.amplitude, amplitude.as_f64().unwrap(), 1e-14);
         }
-        close(residual_vibration(&shaper, TAU, 0.0), number(&row, "V_at_design"), 1e-15);
+        close(residual_vibration(&shaper, TAU, 0.0), number(&row, "V_at_design"), 5e-15);
         // an edge is exact to the 1e-9 by which the level is raised, over the curve's slope there
         let band = band(&shaper, mode(TAU, 0.0), 0.05).unwrap();
         close(band.lower / TAU, number(&row, "lower_5_percent"), 1e-9);
@@ -48,6 +49,21 @@ fn damped_unity_magnitude_times() {
         let tolerance = 1e-14 + number(&row, "cost").sqrt();
         close(shaper.impulses()[1].time, number(&row, "t2_over_T"), tolerance);
         close(shaper.impulses()[2].time, number(&row, "t3_over_T"), tolerance);
+    }
+}
+
+#[test]
+fn damped_shapers_with_humps() {
+    for row in table("damped_humps") {
+        let kind = Kind::ALL.into_iter().find(|kind| row["kind"] == kind.name()).unwrap();
+        let shaper = designed(kind, TAU, number(&row, "damping_ratio"));
+        let (times, amplitudes) = (row["times_over_T"].as_array().unwrap(), row["amplitudes"].as_array().unwrap());
+        assert_eq!(shaper.impulses().len(), times.len());
+        for ((impulse, time), amplitude) in shaper.impulses().iter().zip(times).zip(amplitudes) {
+            // residuals of 1e-15 on both sides, at a condition of about 1000
+            close(impulse.time, time.as_f64().unwrap(), 1e-12);
+            close(impulse.amplitude, amplitude.as_f64().unwrap(), 1e-12);
+        }
     }
 }
 

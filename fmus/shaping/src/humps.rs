@@ -1,0 +1,331 @@
+//! Shapers with humps: two-hump and three-hump EI and the unity-magnitude ZVD and EI, with damping, solved rather than fitted.
+//!
+//! Between its n zeros V has n − 1 humps. What each kind means, with or without damping, all at the mode's damping ratio:
+//!
+//! - TwoHumpEI: positive impulses leave nothing at the design frequency ω₀, at one frequency below and at one above; both
+//!   humps between these zeros peak at exactly the vibration limit.
+//! - ThreeHumpEI: nothing at two frequencies below ω₀ and at two above; all three humps peak at exactly the limit, the middle
+//!   one at ω₀.
+//! - UMEI: impulses +1, −1, +1, −1, +1 leave nothing at one frequency below and one above, with a hump that peaks at ω₀, at
+//!   exactly the limit. UMZVD is UMEI without vibration: V = 0 and dV/dω = 0 at ω₀.
+//!
+//! These are as many conditions as there are times, amplitudes, zeros and peaks. Without damping they are those of W. Singhose,
+//! L. Porter, T. Tuttle and N. Singer, *Vibration reduction using multi-hump input shapers*, J. Dynamic Systems, Measurement and
+//! Control 119, 1997, and W. Singhose, N. Singer and W. Seering, *Time-optimal negative input shapers*, same journal and year.
+//!
+//! With x = ω_d t, κ = r + j, r = ζω/ω_d, and w in units of ω₀, the train answers with F(w) = ΣAᵢ e^{κwxᵢ} and leaves
+//! V(w) = e^{−rwxₙ} |F(w)|. A small limit moves the zeros together, to w = 1 + s dₖ with sⁿ = V_lim. The equations stay regular in
+//! divided differences, in which F(1 + sη) = F[w₁ … wₙ, 1 + sη] sⁿ Π(η − dₖ):
+//!
+//! - zeros: F[w₁] = F[w₁, w₂] = … = F[w₁ … wₙ] = 0, complex;
+//! - height of a hump at 1 + sη: ln|F[w₁ … wₙ, 1 + sη]| − r(1 + sη)xₙ + Σ ln|η − dₖ| = 0;
+//! - its peak: the slope of that over η is 0.
+
+use std::f64::consts::{PI, TAU};
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::differences::{Differences, FARTHEST};
+use crate::{DesignError, Kind, Mode, Shaper, binomial};
+
+pub(crate) fn two_hump(mode: Mode, limit: f64) -> Result<Shaper, DesignError> {
+    if (0.0..=f64::EPSILON).contains(&limit) {
+        return Ok(binomial::design::<4>(mode));
+    }
+    let form = Form { kind: Kind::TwoHumpEI, impulses: 4, unity: false, zeros: 3 };
+    form.design::<4>(mode, limit, two_hump_undamped)
+}
+
+pub(crate) fn three_hump(mode: Mode, limit: f64) -> Result<Shaper, DesignError> {
+    if (0.0..=f64::EPSILON).contains(&limit) {
+        return Ok(binomial::design::<5>(mode));
+    }
+    let form = Form { kind: Kind::ThreeHumpEI, impulses: 5, unity: false, zeros: 4 };
+    form.design::<5>(mode, limit, three_hump_undamped)
+}
+
+pub(crate) fn unity(kind: Kind, mode: Mode, limit: f64) -> Result<Shaper, DesignError> {
+    let form = Form { kind, impulses: 5, unity: true, zeros: 2 };
+    form.design::<5>(mode, limit, unity_undamped)
+}
+
+/// A train with its zeros dₖ and peaks η.
+#[derive(Clone, Copy, Default)]
+struct Design {
+    phases: [f64; IMPULSES],
+    amplitudes: [f64; IMPULSES],
+    zeros: [f64; ZEROS],
+    peaks: [f64; ZEROS - 1],
+}
+
+const IMPULSES: usize = 5;
+const ZEROS: usize = 4;
+/// Times, amplitudes, zeros and free peaks of ThreeHumpEI, which has most.
+const UNKNOWNS: usize = 14;
+
+/// The angle, in half turns, whose cosine is that much less than 1.
+fn angle(one_less_cosine: f64) -> f64 {
+    2.0 * (0.5 * one_less_cosine).sqrt().asin() / PI
+}
+
+fn half_periods(amplitudes: [f64; IMPULSES]) -> Design {
+    Design { phases: std::array::from_fn(|k| k as f64 * PI), amplitudes, ..Design::default() }
+}
+
+/// a, ½ − a, ½ − a, a with a = (3X² + 2X + 3V²)/(16X), X = (V²(√(1 − V²) + 1))^⅓.
+fn two_hump_undamped(v: f64) -> Option<Design> {
+    let x = (v * v * ((1.0 - v * v).sqrt() + 1.0)).cbrt();
+    let over = 3.0 * (x * x + v * v) / (4.0 * x); // 4a − ½
+    let a = (over + 0.5) / 4.0;
+    let s = v.cbrt();
+    let (zero, peak) = (angle(over / (2.0 * a)) / s, angle(over / (6.0 * a)) / s);
+    let train = half_periods([a, 0.5 - a, 0.5 - a, a, 0.0]);
+    Some(Design { zeros: [-zero, 0.0, zero, 0.0], peaks: [-peak, peak, 0.0], ..train })
+}
+
+/// a, b, 1 − 2a − 2b, b, a with a = (1 + 3V + 2√(2(V² + V)))/16, b = (1 − V)/4.
+fn three_hump_undamped(v: f64) -> Option<Design> {
+    let root = (0.5 * (v * v + v)).sqrt();
+    let a = (1.0 + 3.0 * v + 4.0 * root) / 16.0;
+    let b = (1.0 - v) / 4.0;
+    let s = v.sqrt().sqrt();
+    let at = |offset: f64| angle((v + root + offset * (a * v).sqrt()) / (4.0 * a)) / s;
+    let (inner, peak, outer) = (at(-2.0), at(0.0), at(2.0));
+    let train = half_periods([a, b, 1.0 - 2.0 * (a + b), b, a]);
+    Some(Design { zeros: [-outer, -inner, inner, outer], peaks: [-peak, 0.0, peak], ..train })
+}
+
+/// Follows the solution from V = 0, where its times are known well enough for Newton's method.
+fn unity_undamped(v: f64) -> Option<Design> {
+    let form = Form { kind: Kind::UMEI, impulses: 5, unity: true, zeros: 2 };
+    let start = Design {
+        phases: [0.0, 0.0895, 0.3662, 0.6430, 0.7325].map(|share| share * TAU),
+        amplitudes: [1.0, -1.0, 1.0, -1.0, 1.0],
+        zeros: [-0.5, 0.5, 0.0, 0.0],
+        ..Design::default()
+    };
+    let start = form.newton(&start, 0.0, 0.0)?;
+    form.follow(start, v, |limit| (0.0, limit)).ok()
+}
+
+/// What kind of train is sought.
+struct Form {
+    kind: Kind,
+    impulses: usize,
+    /// Whether the amplitudes are +1, −1, … rather than unknown.
+    unity: bool,
+    zeros: usize,
+}
+
+impl Form {
+    fn design<const N: usize>(
+        &self,
+        mode: Mode,
+        limit: f64,
+        undamped: impl FnOnce(f64) -> Option<Design>,
+    ) -> Result<Shaper, DesignError> {
+        if !(0.0..1.0).contains(&limit) {
+            return Err(DesignError::VibrationLimit { value: limit });
+        }
+        let zeta = mode.damping_ratio();
+        let none = |damping_ratio| DesignError::NoSolution {
+            kind: self.kind,
+            damping_ratio: zeta,
+            vibration_limit: (self.kind != Kind::UMZVD).then_some(limit),
+            nearest_damping_ratio: damping_ratio,
+        };
+        let start = undamped(limit).ok_or(none(None))?;
+        let design = self.follow(start, zeta, |zeta| (zeta, limit)).map_err(|nearest| none(Some(nearest)))?;
+        let per_radian = 1.0 / mode.damped_frequency();
+        Ok(Shaper::of::<N>(std::array::from_fn(|i| (design.phases[i] * per_radian, design.amplitudes[i]))))
+    }
+
+    /// Follows a solution at 0 to one at `end`, in steps as large as Newton's method takes; `at` gives damping ratio and limit.
+    /// Where it ends before, the last place that has a solution.
+    fn follow(&self, start: Design, end: f64, at: impl Fn(f64) -> (f64, f64)) -> Result<Design, f64> {
+        if end == 0.0 {
+            return Ok(start);
+        }
+        let (mut here, mut before) = ((0.0, start), None);
+        let mut step = end.min(0.1);
+        for _ in 0..100 {
+            let next = if here.0 + step < end { here.0 + step } else { end };
+            let guess = self.extrapolate(here, before, next, at(next).0);
+            if let Some(solution) = self.newton(&guess, at(next).0, at(next).1) {
+                if next == end {
+                    return Ok(solution);
+                }
+                before = Some(here);
+                here = (next, solution);
+                step *= 1.5;
+            } else {
+                step *= 0.5;
+                if step < FINEST_STEP * here.0.max(FINEST_STEP * end) {
+                    break;
+                }
+            }
+        }
+        Err(here.0)
+    }
+
+    fn extrapolate(&self, here: (f64, Design), before: Option<(f64, Design)>, next: f64, zeta: f64) -> Design {
+        let Some(before) = before else {
+            // damping takes e^{−rx} from what an impulse leaves
+            let mut guess = here.1;
+            if !self.unity {
+                let r = decay(zeta);
+                (0..self.impulses).for_each(|i| guess.amplitudes[i] *= (-r * guess.phases[i]).exp());
+                let sum: f64 = guess.amplitudes.iter().sum();
+                guess.amplitudes.iter_mut().for_each(|amplitude| *amplitude /= sum);
+            }
+            return guess;
+        };
+        let share = (next - here.0) / (here.0 - before.0);
+        let (here, before) = (self.pack(&here.1), self.pack(&before.1));
+        self.unpack(&(here + (here - before) * share))
+    }
+
+    /// How many zeros and peaks are free: the middle one of all lies at the design frequency.
+    fn free(&self) -> (usize, usize) {
+        let odd = self.zeros % 2;
+        (self.zeros - odd, self.zeros - 2 + odd)
+    }
+
+    fn pack(&self, design: &Design) -> SVector<f64, UNKNOWNS> {
+        let mut unknowns = SVector::<f64, UNKNOWNS>::zeros();
+        let later = 1..self.impulses;
+        let amplitudes = if self.unity { &[] } else { &design.amplitudes[later.clone()] };
+        let aside = |index: &usize, count: usize| 2 * index + 1 != count;
+        let zeros = (0..self.zeros).filter(|k| aside(k, self.zeros)).map(|k| design.zeros[k]);
+        let humps = self.zeros - 1;
+        let peaks = (0..humps).filter(|k| aside(k, humps)).map(|k| design.peaks[k]);
+        let all = design.phases[later].iter().chain(amplitudes).copied().chain(zeros).chain(peaks);
+        unknowns.iter_mut().zip(all).for_each(|(unknown, value)| *unknown = value);
+        unknowns
+    }
+
+    fn unpack(&self, unknowns: &SVector<f64, UNKNOWNS>) -> Design {
+        let mut rest = unknowns.iter().copied();
+        let mut next = || rest.next().unwrap_or(0.0);
+        let mut design = Design { amplitudes: [1.0, -1.0, 1.0, -1.0, 1.0], ..Design::default() };
+        design.phases[1..self.impulses].fill_with(&mut next);
+        if !self.unity {
+            design.amplitudes = [0.0; IMPULSES];
+            design.amplitudes[1..self.impulses].fill_with(&mut next);
+            design.amplitudes[0] = 1.0 - design.amplitudes.iter().sum::<f64>();
+        }
+        let humps = self.zeros - 1;
+        for k in (0..self.zeros).filter(|k| 2 * k + 1 != self.zeros) {
+            design.zeros[k] = next();
+        }
+        for k in (0..humps).filter(|k| 2 * k + 1 != humps) {
+            design.peaks[k] = next();
+        }
+        design
+    }
+
+    /// Newton's method with slopes from differences; `None` unless it ends at a shaper of this form.
+    fn newton(&self, start: &Design, zeta: f64, limit: f64) -> Option<Design> {
+        let system = System { form: self, r: decay(zeta), spread: limit.powf(1.0 / self.zeros as f64) };
+        let mut unknowns = self.pack(start);
+        let mut moved_by = f64::INFINITY;
+        for _ in 0..MAX_ITERATIONS {
+            let residual = system.at(&unknowns);
+            let mut jacobian = SMatrix::<f64, UNKNOWNS, UNKNOWNS>::identity();
+            for unknown in 0..system.size() {
+                let mut moved = unknowns;
+                moved[unknown] += DIFFERENCE;
+                jacobian.set_column(unknown, &((system.at(&moved) - residual) / DIFFERENCE));
+            }
+            let step = jacobian.lu().solve(&residual)?;
+            unknowns -= step;
+            if !unknowns.iter().all(|value| value.abs() < 50.0) {
+                return None;
+            }
+            let last = std::mem::replace(&mut moved_by, step.amax());
+            if moved_by.max(last) <= LAST_STEP && system.at(&unknowns).amax() <= TOLERANCE {
+                let design = self.unpack(&unknowns);
+                return self.holds(&design, &system).then_some(design);
+            }
+        }
+        None
+    }
+
+    /// Whether impulses and zeros are in order, the peaks between the zeros, these not too far, and free amplitudes positive.
+    fn holds(&self, design: &Design, system: &System<'_>) -> bool {
+        let (zeros, peaks) = (&design.zeros[..self.zeros], &design.peaks[..self.zeros - 1]);
+        let end = design.phases[self.impulses - 1];
+        design.phases[..self.impulses].is_sorted_by(|a, b| a + RESOLVED < *b)
+            && (self.unity || design.amplitudes[..self.impulses].iter().all(|amplitude| *amplitude > 0.0))
+            && 1.0 + system.spread * zeros[0] > 0.0
+            && 0.5 * end * system.r.hypot(1.0) * system.spread * zeros[self.zeros - 1] <= FARTHEST
+            && zeros.windows(2).zip(peaks).all(|(pair, peak)| pair[0] < *peak && *peak < pair[1])
+    }
+}
+
+/// r = ζ/√(1 − ζ²)
+fn decay(zeta: f64) -> f64 {
+    zeta / crate::mode::damped_share(zeta)
+}
+
+/// A continuation that cannot go on by this share of what it has come ends there.
+const FINEST_STEP: f64 = 2e-4;
+
+/// Newton's method takes five to nine from where a good step of the continuation puts it.
+const MAX_ITERATIONS: usize = 12;
+
+/// What is left after two steps this small is rounding.
+const LAST_STEP: f64 = 1e-9;
+
+/// Largest residual accepted. Rounding of a fifth difference leaves up to about 1e-12.
+const TOLERANCE: f64 = 1e-10;
+
+/// Impulses closer than this, in radians, are not told apart.
+const RESOLVED: f64 = 1e-9;
+
+/// Slopes from differences this wide are good to about as much, and each iteration leaves that share of the error.
+const DIFFERENCE: f64 = 1e-7;
+
+/// The equations; unknowns that a form does not have are 0 = 0.
+struct System<'a> {
+    form: &'a Form,
+    r: f64,
+    /// s, s to the power of the number of zeros being the limit.
+    spread: f64,
+}
+
+impl System<'_> {
+    fn size(&self) -> usize {
+        let (zeros, peaks) = self.form.free();
+        let later = self.form.impulses - 1;
+        later + if self.form.unity { 0 } else { later } + zeros + peaks
+    }
+
+    fn at(&self, unknowns: &SVector<f64, UNKNOWNS>) -> SVector<f64, UNKNOWNS> {
+        let design = self.form.unpack(unknowns);
+        let zeros = &design.zeros[..self.form.zeros];
+        let loss = 0.5 * self.r * design.phases[self.form.impulses - 1];
+        let mut residual = SVector::<f64, UNKNOWNS>::zeros();
+        let mut rows = residual.iter_mut();
+        // there are as many equations as unknowns, so no row is missing
+        let mut put = |value: f64| rows.next().into_iter().for_each(|row| *row = value);
+        let count = self.form.impulses;
+        let mut differences = Differences::new(self.r, &design.phases[..count], &design.amplitudes[..count]);
+        for zero in zeros {
+            let difference = differences.over(self.spread * zero);
+            put(difference.re);
+            put(difference.im);
+        }
+        for peak in &design.peaks[..zeros.len() - 1] {
+            let mut at_peak = differences.clone();
+            let (value, slope) = (at_peak.over(self.spread * peak), at_peak.over(self.spread * peak));
+            let distances = zeros.iter().map(|zero| peak - zero);
+            let product: f64 = distances.clone().product();
+            // the differences carry e^{−rxₙ} already, and e^{−rsηxₙ/2}
+            put((value.norm() * product.abs()).ln() - self.spread * peak * loss);
+            let steep = (slope / value).re - loss;
+            put(self.spread * steep + distances.map(f64::recip).sum::<f64>());
+        }
+        residual
+    }
+}
