@@ -17,17 +17,17 @@ fn mode(damping_ratio: f64) -> Mode {
     Mode::new(1.0, damping_ratio).expect("a mode")
 }
 
-#[divan::bench(args = Kind::ALL)]
+#[divan::bench(args = Kind::OF_A_MODE)]
 fn undamped(kind: &Kind) {
     let _ = black_box(design(black_box(*kind), black_box(mode(0.0)), black_box(0.05)));
 }
 
-#[divan::bench(args = Kind::ALL)]
+#[divan::bench(args = Kind::OF_A_MODE)]
 fn damped(kind: &Kind) {
     let _ = black_box(design(black_box(*kind), black_box(mode(0.1)), black_box(0.05)));
 }
 
-#[divan::bench(args = Kind::ALL)]
+#[divan::bench(args = Kind::OF_A_MODE)]
 fn width(bencher: Bencher<'_, '_>, kind: &Kind) {
     let shaper = design(*kind, mode(0.0), 0.05).expect("undamped designs exist");
     bencher.bench_local(|| insensitivity(black_box(&shaper), mode(0.0), black_box(0.05)));

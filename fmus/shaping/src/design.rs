@@ -1,10 +1,10 @@
-//! The kinds of shaper, and the one door to their designs.
+//! The kinds of shaper, and the designs of those that need no more than a mode.
 
 use std::fmt;
 
 use crate::{DesignError, Mode, Shaper, binomial, ei, humps, umzv};
 
-/// The kinds of shaper for one mode.
+/// The kinds of shaper. [`Specification`](crate::Specification) designs any of them, [`design`] those for which a mode says enough.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Kind {
     /// No shaping: one impulse of amplitude 1 at time 0.
@@ -23,6 +23,8 @@ pub enum Kind {
     TwoHumpEI,
     /// Three-hump extra-insensitive, about 2T long: a hump of the limit at the design frequency and one on either side.
     ThreeHumpEI,
+    /// Specified insensitivity: the shortest positive shaper that keeps V below a limit over a range of frequencies.
+    SI,
     /// Unity-magnitude zero vibration (1.3), impulses +1, −1, +1, about T/3 long: fast, but may exceed the command's range.
     UMZV,
     /// Unity-magnitude zero vibration and derivative, impulses +1, −1, +1, −1, +1, about 0.73T long.
@@ -33,7 +35,23 @@ pub enum Kind {
 
 impl Kind {
     /// All kinds, in the order of their declaration.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
+        Self::None,
+        Self::ZV,
+        Self::ZVD,
+        Self::ZVDD,
+        Self::ZVDDD,
+        Self::EI,
+        Self::TwoHumpEI,
+        Self::ThreeHumpEI,
+        Self::SI,
+        Self::UMZV,
+        Self::UMZVD,
+        Self::UMEI,
+    ];
+
+    /// The kinds that [`design`] knows: a mode, and for some a vibration limit, says all about them.
+    pub const OF_A_MODE: [Self; 11] = [
         Self::None,
         Self::ZV,
         Self::ZVD,
@@ -59,6 +77,7 @@ impl Kind {
             Self::EI => "EI",
             Self::TwoHumpEI => "TwoHumpEI",
             Self::ThreeHumpEI => "ThreeHumpEI",
+            Self::SI => "SI",
             Self::UMZV => "UMZV",
             Self::UMZVD => "UMZVD",
             Self::UMEI => "UMEI",
@@ -72,13 +91,13 @@ impl fmt::Display for Kind {
     }
 }
 
-/// Designs the shaper of the given kind for one mode. Does not allocate.
+/// Designs the shaper of one of the kinds [`Kind::OF_A_MODE`]. Does not allocate.
 ///
 /// `vibration_limit` is the residual vibration V, as a share of the unshaped one, that `EI`, `TwoHumpEI`, `ThreeHumpEI` and `UMEI`
 /// work with (usually 0.05); the other kinds do not look at it. All of these but `TwoHumpEI` have it at the design frequency.
 ///
 /// # Errors
-/// [`DesignError::VibrationLimit`] for such a kind's limit outside 0 ≤ V < 1; [`DesignError::NoSolution`] when damping, or damping
+/// [`DesignError::Kind`] for the other kinds; [`DesignError::VibrationLimit`] for such a kind's limit outside 0 ≤ V < 1; [`DesignError::NoSolution`] when damping, or damping
 /// and limit, are so large that the kind's equations have no solution, with positive impulses where it has them; it names a
 /// damping ratio that has one. For V = 0.05, `EI` has solutions up to ζ = 0.6, `TwoHumpEI` 0.36, `ThreeHumpEI` 0.26, `UMEI` 0.65,
 /// and `UMZVD` has them up to 0.85; for V = 0.1, `TwoHumpEI` up to 0.28 and `ThreeHumpEI` 0.19.
@@ -92,6 +111,7 @@ pub fn design(kind: Kind, mode: Mode, vibration_limit: f64) -> Result<Shaper, De
         Kind::EI => ei::design(mode, vibration_limit),
         Kind::TwoHumpEI => humps::two_hump(mode, vibration_limit),
         Kind::ThreeHumpEI => humps::three_hump(mode, vibration_limit),
+        Kind::SI => Err(DesignError::Kind { kind }),
         Kind::UMZV => umzv::design(mode),
         Kind::UMZVD => humps::unity(kind, mode, 0.0),
         Kind::UMEI => humps::unity(kind, mode, vibration_limit),

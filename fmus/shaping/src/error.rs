@@ -79,6 +79,11 @@ impl Error for ShaperError {}
 /// Why there is no such shaper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum DesignError {
+    /// A mode and a limit do not say enough about a shaper of this kind.
+    Kind {
+        /// The kind asked for.
+        kind: Kind,
+    },
     /// The vibration limit is outside 0 ≤ V < 1.
     VibrationLimit {
         /// What was given.
@@ -100,6 +105,9 @@ pub enum DesignError {
 impl fmt::Display for DesignError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Self::Kind { kind } => {
+                write!(f, "a mode alone does not say what {kind} is designed for; ask by a specification")
+            }
             Self::VibrationLimit { value } => {
                 write!(f, "the vibration limit is {value}; it must be at least 0 and less than 1")
             }

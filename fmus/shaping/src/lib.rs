@@ -1,7 +1,8 @@
 //! Design and analysis of input shapers.
 //!
 //! An input shaper is a train of impulses. Convolved with a command, it leaves a lightly damped mode without the residual
-//! vibration that the bare command would have excited. [`design`] gives the train of one [`Kind`] for one [`Mode`];
+//! vibration that the bare command would have excited. [`Specification`] says what is wanted and designs trains of every [`Kind`];
+//! [`design`] is the short way to those for which a [`Mode`] says enough;
 //! [`residual_vibration`], [`sensitivity_curve`] and [`insensitivity`] say how good it is when the mode is not quite what
 //! was designed for; [`Trains`] shapes a command that changes at any time, with a design that may change too.
 //!
@@ -31,6 +32,7 @@ mod humps;
 mod insensitivity;
 mod mode;
 mod shaper;
+mod specification;
 mod specified;
 mod train;
 mod umzv;
@@ -41,5 +43,6 @@ pub use error::{DesignError, ModeError, ShaperError};
 pub use insensitivity::{Band, band, insensitivity};
 pub use mode::Mode;
 pub use shaper::{Impulse, MAX_IMPULSES, Shaper};
+pub use specification::{Design, Quantity, Specification, SpecificationError};
 pub use specified::{SpecifiedError, specified_insensitivity};
 pub use train::{Pending, Trains};

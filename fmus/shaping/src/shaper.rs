@@ -68,6 +68,12 @@ impl Shaper {
         shaper
     }
 
+    /// A shaper for a unit frequency, at another one (rad/s): the same impulses, all times divided by it.
+    pub(crate) fn at_frequency(mut self, frequency: f64) -> Self {
+        self.impulses[..self.count].iter_mut().for_each(|impulse| impulse.time /= frequency);
+        self
+    }
+
     /// The impulses in order of time; at least one.
     #[must_use]
     pub fn impulses(&self) -> &[Impulse] {

@@ -73,7 +73,7 @@ fn unity_magnitude_with_damping_closes_its_triangle() {
 
 #[test]
 fn nothing_jumps_where_damping_begins() {
-    for kind in Kind::ALL {
+    for kind in Kind::OF_A_MODE {
         // the times and amplitudes change by at most 4ζ near ζ = 0
         let error = distance(&designed(kind, 1.0, 0.0), &designed(kind, 1.0, 1e-12));
         assert!(error < 1e-11, "{kind}: {error:e}");

@@ -7,6 +7,7 @@ mod oscillator;
 mod properties;
 mod reference;
 mod refusals;
+mod specification;
 mod specified;
 mod trains;
 

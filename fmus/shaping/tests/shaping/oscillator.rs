@@ -21,7 +21,7 @@ fn struck(shaper: &Shaper, omega: f64, zeta: f64) -> f64 {
 
 #[test]
 fn residual_vibration_is_what_a_struck_oscillator_keeps() {
-    for kind in Kind::ALL {
+    for kind in Kind::OF_A_MODE {
         for design_damping in [0.0, 0.05, 0.25] {
             let shaper = designed(kind, 1.7, design_damping);
             for (omega, zeta) in [(1.7, design_damping), (1.7, 0.0), (1.2, 0.1), (2.5, 0.02), (5.1, 0.3), (0.01, 0.6)] {

@@ -1,0 +1,183 @@
+//! The one door to every kind of shaper: what is wanted, and the design that answers it.
+
+use std::error::Error;
+use std::fmt;
+
+use crate::{Band, DesignError, Kind, Mode, Shaper, SpecifiedError, design, specified_insensitivity};
+
+/// All that a design can depend on. Each kind looks at what it needs and at nothing else.
+///
+/// ```
+/// use swayless_shaping::{Kind, Mode, Specification};
+///
+/// let load = Mode::new((9.81_f64 / 10.0).sqrt(), 0.0)?; // a load on 10 m of cable
+/// let wanted = Specification { insensitivity: 0.4, ..Specification::new(Kind::SI, load) };
+/// let design = wanted.design()?;
+/// assert!(design.duration() < 1.01 * load.period()); // ±20 % of frequency for 5 % of vibration
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Specification {
+    /// The kind of shaper.
+    pub kind: Kind,
+    /// The modes to be shaped for. The kinds for one mode refuse a second; `None` looks at neither.
+    pub modes: [Option<Mode>; 2],
+    /// Residual vibration V that is allowed, as a share of the unshaped one.
+    pub vibration_limit: f64,
+    /// Insensitivity I of `SI`: the full width of the range of frequencies in which V stays below the limit, over the mode's frequency.
+    pub insensitivity: f64,
+}
+
+impl Specification {
+    /// A kind for one mode, with 5 % of vibration allowed, for SI within ±20 % of the frequency.
+    #[must_use]
+    pub fn new(kind: Kind, mode: Mode) -> Self {
+        Self { kind, modes: [Some(mode), None], vibration_limit: 0.05, insensitivity: 0.4 }
+    }
+
+    /// Designs it. Kinds with SI in their name allocate and take up to some milliseconds, all others neither.
+    ///
+    /// # Errors
+    /// [`SpecificationError`], whose [`quantity`](SpecificationError::quantity) says what to change.
+    pub fn design(&self) -> Result<Design, SpecificationError> {
+        match self.kind {
+            Kind::None => Ok(Design::of(Shaper::unshaped())),
+            Kind::SI => {
+                let mode = self.only_mode()?;
+                // At unit frequency, so that the design of another frequency is the same, scaled.
+                let band = Band::around(1.0, self.insensitivity)?;
+                let unit = specified_insensitivity(band, mode.damping_ratio(), self.vibration_limit)?;
+                Ok(Design::of(unit.at_frequency(mode.frequency())))
+            }
+            _ => Ok(Design::of(design(self.kind, self.only_mode()?, self.vibration_limit)?)),
+        }
+    }
+
+    fn mode(&self, index: usize) -> Result<Mode, SpecificationError> {
+        self.modes[index].ok_or(SpecificationError::MissingMode { kind: self.kind, index })
+    }
+
+    fn only_mode(&self) -> Result<Mode, SpecificationError> {
+        match self.modes[1] {
+            Some(_) => Err(SpecificationError::UnusedMode { kind: self.kind }),
+            None => self.mode(0),
+        }
+    }
+}
+
+/// What a [`Specification`] is answered with.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Design {
+    shaper: Shaper,
+}
+
+impl Design {
+    /// A design of one train for all changes of the command.
+    fn of(shaper: Shaper) -> Self {
+        Self { shaper }
+    }
+
+    /// No shaping at all.
+    #[must_use]
+    pub fn unshaped() -> Self {
+        Self::of(Shaper::unshaped())
+    }
+
+    /// The train of a change.
+    #[must_use]
+    pub fn shaper(&self) -> &Shaper {
+        &self.shaper
+    }
+
+    /// The longest delay that shaping adds, in seconds.
+    #[must_use]
+    pub fn duration(&self) -> f64 {
+        self.shaper.duration()
+    }
+}
+
+/// What a [`SpecificationError`] is about; modes are counted from 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// [`Specification::kind`].
+    Kind,
+    /// The frequency of a mode of [`Specification::modes`].
+    Frequency(usize),
+    /// The damping ratio of a mode of [`Specification::modes`].
+    DampingRatio(usize),
+    /// [`Specification::vibration_limit`].
+    VibrationLimit,
+    /// [`Specification::insensitivity`].
+    Insensitivity,
+}
+
+/// Why a [`Specification`] has no design.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SpecificationError {
+    /// The kind needs a mode that is not given.
+    MissingMode {
+        /// The kind asked for.
+        kind: Kind,
+        /// Which mode, from 0.
+        index: usize,
+    },
+    /// A second mode is given to a kind that shapes one mode only.
+    UnusedMode {
+        /// The kind asked for.
+        kind: Kind,
+    },
+    /// The equations of the kind have no solution.
+    Design(DesignError),
+    /// There is no SI shaper.
+    Specified(SpecifiedError),
+}
+
+impl SpecificationError {
+    /// What to change.
+    #[must_use]
+    pub fn quantity(&self) -> Quantity {
+        match self {
+            Self::MissingMode { index, .. } => Quantity::Frequency(*index),
+            Self::UnusedMode { .. } => Quantity::Frequency(1),
+            Self::Design(error) => match error {
+                DesignError::Kind { .. } => Quantity::Kind,
+                DesignError::VibrationLimit { .. } => Quantity::VibrationLimit,
+                DesignError::NoSolution { .. } => Quantity::DampingRatio(0),
+            },
+            Self::Specified(error) => match error {
+                SpecifiedError::Mode(_) | SpecifiedError::Waiting => Quantity::DampingRatio(0),
+                SpecifiedError::VibrationLimit { .. } => Quantity::VibrationLimit,
+                SpecifiedError::Reversed { .. }
+                | SpecifiedError::Insensitivity { .. }
+                | SpecifiedError::TooLong
+                | SpecifiedError::TooManyImpulses { .. }
+                | SpecifiedError::NotFound => Quantity::Insensitivity,
+            },
+        }
+    }
+}
+
+impl fmt::Display for SpecificationError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::MissingMode { kind, index } => write!(f, "{kind} needs the frequency of mode {}", index + 1),
+            Self::UnusedMode { kind } => write!(f, "{kind} shapes one mode only; leave the second out"),
+            Self::Design(error) => error.fmt(f),
+            Self::Specified(error) => error.fmt(f),
+        }
+    }
+}
+
+impl Error for SpecificationError {}
+
+impl From<DesignError> for SpecificationError {
+    fn from(error: DesignError) -> Self {
+        Self::Design(error)
+    }
+}
+
+impl From<SpecifiedError> for SpecificationError {
+    fn from(error: SpecifiedError) -> Self {
+        Self::Specified(error)
+    }
+}
