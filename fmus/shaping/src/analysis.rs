@@ -6,6 +6,7 @@ use nalgebra::Complex;
 
 use crate::Shaper;
 use crate::mode::damped_share;
+use crate::specified::minima;
 
 /// Residual vibration V(ω, ζ) of a mode after the shaper's last impulse, as a share of what one impulse of amplitude 1 leaves:
 ///
@@ -44,6 +45,25 @@ pub fn sensitivity_curve(
     })
 }
 
+/// Where V is highest over a range of frequencies (rad/s, at least 0), all with the same damping ratio.
+///
+/// The curve is sampled ten times per radian that the last impulse's phase turns by: time and memory grow with the range.
+#[must_use]
+pub fn highest_vibration(shaper: &Shaper, damping_ratio: f64, frequencies: RangeInclusive<f64>) -> Sensitivity {
+    let residual = Residual::new(shaper, damping_ratio, 1.0);
+    let first = *frequencies.start();
+    let points = 16 + (10.0 * (frequencies.end() - first) * shaper.duration()) as usize;
+    // The minima of −V² are the humps, and the ends where V falls from there.
+    let humps = minima(frequencies, points, |frequency| {
+        let [value, slope, curvature] = residual.derivatives(frequency);
+        let bend = slope.norm_sqr() + (curvature * value.conj()).re;
+        [-value.norm_sqr(), -2.0 * (slope * value.conj()).re, -2.0 * bend]
+    });
+    let highest = humps.into_iter().min_by(|(_, [a, ..]), (_, [b, ..])| a.total_cmp(b));
+    let frequency = highest.map_or(first, |(frequency, _)| frequency);
+    Sensitivity { frequency, vibration: residual.vibration(frequency) }
+}
+
 /// f(ω) = ΣAᵢ e^{κᵢω} with κᵢ = (ζ + j√(1 − ζ²))(tᵢ − tₙ): V = |f|, and no exponent is positive. ω is in units of `unit`.
 pub(crate) struct Residual<'a> {
     shaper: &'a Shaper,
@@ -57,12 +77,12 @@ impl<'a> Residual<'a> {
     }
 
     pub fn vibration(&self, frequency: f64) -> f64 {
-        self.value_and_slope(frequency).0.norm()
+        self.derivatives(frequency)[0].norm()
     }
 
     /// V² and its slope over ω.
     pub fn squared(&self, frequency: f64) -> (f64, f64) {
-        let (value, slope) = self.value_and_slope(frequency);
+        let [value, slope, _] = self.derivatives(frequency);
         (value.norm_sqr(), 2.0 * (slope * value.conj()).re)
     }
 
@@ -83,12 +103,13 @@ impl<'a> Residual<'a> {
         2.0 * b1 * b1 + 2.0 * b0 * b2
     }
 
-    fn value_and_slope(&self, frequency: f64) -> (Complex<f64>, Complex<f64>) {
+    /// f with its first two derivatives over ω.
+    fn derivatives(&self, frequency: f64) -> [Complex<f64>; 3] {
         let end = self.shaper.duration();
-        self.shaper.impulses().iter().fold((Complex::ZERO, Complex::ZERO), |(value, slope), impulse| {
+        self.shaper.impulses().iter().fold([Complex::ZERO; 3], |[value, slope, curvature], impulse| {
             let kappa = self.rate * ((impulse.time - end) * self.unit);
             let phasor = (kappa * frequency).exp() * impulse.amplitude;
-            (value + phasor, slope + kappa * phasor)
+            [value + phasor, slope + kappa * phasor, curvature + kappa * kappa * phasor]
         })
     }
 }

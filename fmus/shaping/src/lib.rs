@@ -3,7 +3,7 @@
 //! An input shaper is a train of impulses. Convolved with a command, it leaves a lightly damped mode without the residual
 //! vibration that the bare command would have excited. [`Specification`] says what is wanted and designs trains of every [`Kind`];
 //! [`design`] is the short way to those for which a [`Mode`] says enough;
-//! [`residual_vibration`], [`sensitivity_curve`] and [`insensitivity`] say how good it is when the mode is not quite what
+//! [`residual_vibration`], [`sensitivity_curve`], [`highest_vibration`] and [`insensitivity`] say how good it is when the mode is not quite what
 //! was designed for; [`Trains`] shapes a command that changes at any time, with a design that may change too.
 //!
 //! ```
@@ -31,17 +31,19 @@ mod even;
 mod humps;
 mod insensitivity;
 mod mode;
+mod pendulum;
 mod shaper;
 mod specification;
 mod specified;
 mod train;
 mod umzv;
 
-pub use analysis::{Sensitivity, residual_vibration, sensitivity_curve};
+pub use analysis::{Sensitivity, highest_vibration, residual_vibration, sensitivity_curve};
 pub use design::{Kind, design};
 pub use error::{DesignError, ModeError, ShaperError};
 pub use insensitivity::{Band, band, insensitivity};
 pub use mode::Mode;
+pub use pendulum::{double_pendulum, pendulum};
 pub use shaper::{Impulse, MAX_IMPULSES, Shaper};
 pub use specification::{Design, Quantity, Specification, SpecificationError};
 pub use specified::{SpecifiedError, specified_insensitivity};

@@ -3,12 +3,12 @@
 use std::ops::RangeInclusive;
 
 /// A function's value, slope and curvature.
-pub(super) type Jet = [f64; 3];
+pub(crate) type Jet = [f64; 3];
 
 /// All local minima over a range, its ends included where the function is least there, in ascending order.
 ///
 /// `points` equidistant samples must resolve the function: between two of them it bends one way or hardly at all.
-pub(super) fn minima(range: RangeInclusive<f64>, points: usize, function: impl Fn(f64) -> Jet) -> Vec<(f64, Jet)> {
+pub(crate) fn minima(range: RangeInclusive<f64>, points: usize, function: impl Fn(f64) -> Jet) -> Vec<(f64, Jet)> {
     let (first, last) = range.into_inner();
     if first == last {
         return vec![(first, function(first))];

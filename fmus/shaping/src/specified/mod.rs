@@ -16,6 +16,7 @@ mod polish;
 mod response;
 
 pub use error::SpecifiedError;
+pub(crate) use extrema::minima;
 
 use std::f64::consts::TAU;
 

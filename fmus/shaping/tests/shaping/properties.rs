@@ -2,7 +2,8 @@
 
 use proptest::prelude::*;
 use swayless_shaping::{
-    Band, DesignError, Kind, Mode, band, design, insensitivity, residual_vibration, sensitivity_curve,
+    Band, DesignError, Kind, Mode, band, design, highest_vibration, insensitivity, residual_vibration,
+    sensitivity_curve,
 };
 
 use crate::{distance, mode, shaper};
@@ -92,6 +93,20 @@ proptest! {
         let mode = feasible(kind, mode, 0.05);
         let shaper = design(kind, mode, 0.05).unwrap();
         prop_assert!(insensitivity(&shaper, mode, level) <= insensitivity(&shaper, mode, level + more));
+    }
+
+    #[test]
+    fn no_place_of_a_range_is_above_its_highest(
+        kind in kinds(), mode in modes(), zeta in 0.0..0.5_f64, low in 0.0..2.0_f64, width in 0.0..2.0_f64,
+    ) {
+        let shaper = design(kind, feasible(kind, mode, 0.05), 0.05).unwrap();
+        let range = low * mode.frequency()..=(low + width) * mode.frequency();
+        let highest = highest_vibration(&shaper, zeta, range.clone());
+        prop_assert!(range.contains(&highest.frequency));
+        prop_assert_eq!(highest.vibration, residual_vibration(&shaper, highest.frequency, zeta));
+        for at in sensitivity_curve(&shaper, zeta, range, 333) {
+            prop_assert!(at.vibration <= highest.vibration + 1e-12, "{at:?} is above {highest:?}");
+        }
     }
 
     #[test]
