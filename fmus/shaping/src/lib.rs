@@ -23,6 +23,7 @@
 
 mod analysis;
 mod binomial;
+mod convolution;
 mod design;
 mod differences;
 mod ei;
@@ -30,6 +31,7 @@ mod error;
 mod even;
 mod humps;
 mod insensitivity;
+mod minimum_impulse;
 mod mode;
 mod pendulum;
 mod shaper;
@@ -39,9 +41,11 @@ mod train;
 mod umzv;
 
 pub use analysis::{Sensitivity, highest_vibration, residual_vibration, sensitivity_curve};
+pub use convolution::convolve;
 pub use design::{Kind, design};
 pub use error::{DesignError, ModeError, ShaperError};
 pub use insensitivity::{Band, band, insensitivity};
+pub use minimum_impulse::{MinimumImpulse, MinimumImpulseError, minimum_impulse, minimum_impulse_solution};
 pub use mode::Mode;
 pub use pendulum::{double_pendulum, pendulum};
 pub use shaper::{Impulse, MAX_IMPULSES, Shaper};

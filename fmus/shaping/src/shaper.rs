@@ -46,9 +46,7 @@ impl Shaper {
             }
             before = Some(time);
         }
-        let mut shaper = Self { count: impulses.len(), impulses: [Impulse::default(); MAX_IMPULSES] };
-        shaper.impulses[..impulses.len()].copy_from_slice(impulses);
-        Ok(shaper)
+        Ok(Self::ordered(impulses))
     }
 
     /// The shaper that changes nothing: one impulse of amplitude 1 at time 0.
@@ -60,10 +58,13 @@ impl Shaper {
     /// A shaper of (time, amplitude) pairs from a design, which knows them to be in order.
     pub(crate) fn of<const N: usize>(pairs: [(f64, f64); N]) -> Self {
         const { assert!(0 < N && N <= MAX_IMPULSES) }
-        let mut shaper = Self { count: N, impulses: [Impulse::default(); MAX_IMPULSES] };
-        for (impulse, (time, amplitude)) in shaper.impulses.iter_mut().zip(pairs) {
-            *impulse = Impulse { time, amplitude };
-        }
+        Self::ordered(&pairs.map(|(time, amplitude)| Impulse { time, amplitude }))
+    }
+
+    /// A shaper of impulses that are known to be in order, and no more than [`MAX_IMPULSES`].
+    pub(crate) fn ordered(impulses: &[Impulse]) -> Self {
+        let mut shaper = Self { count: impulses.len(), impulses: [Impulse::default(); MAX_IMPULSES] };
+        shaper.impulses[..impulses.len()].copy_from_slice(impulses);
         debug_assert!(shaper.impulses().is_sorted_by(|a, b| a.time < b.time));
         shaper
     }

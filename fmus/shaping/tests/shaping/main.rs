@@ -10,6 +10,7 @@ mod refusals;
 mod specification;
 mod specified;
 mod trains;
+mod two_modes;
 
 use swayless_shaping::{Impulse, Kind, Mode, Shaper, design};
 
