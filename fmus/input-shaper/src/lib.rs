@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 use swayless_export::{Environment, Event, Info, Model, Point, Problem, Scalar, Terminal, export_fmu};
-use swayless_shaping::{DesignError, Mode, ModeError, Shaper, Trains, design};
+use swayless_shaping::{Design, DesignError, Mode, ModeError, Shaper, Trains, design};
 
 mod variables;
 
@@ -156,9 +156,9 @@ impl Model for InputShaper {
             }
             show(&memory.shaper, d);
             d.shaped = if p.enabled {
-                memory.trains.set_command(at.t, u.command, &memory.shaper)
+                memory.trains.set_command(at.t, u.command, &memory.shaper.clone().into())
             } else {
-                memory.trains.set_command(at.t, u.command, &Shaper::unshaped())
+                memory.trains.set_command(at.t, u.command, &Design::unshaped())
             };
         }
         if p.sample_time == 0.0 {

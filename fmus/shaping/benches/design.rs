@@ -2,7 +2,7 @@
 
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
-use swayless_shaping::{Band, Kind, Mode, Trains, design, insensitivity, specified_insensitivity};
+use swayless_shaping::{Band, Design, Kind, Mode, Trains, design, insensitivity, specified_insensitivity};
 
 // shows that nothing is allocated
 #[global_allocator]
@@ -44,7 +44,7 @@ fn specified((width, damping_ratio): (u32, f64)) {
 #[divan::bench(args = [1, 10, 100, 1000, 10_000])]
 fn ramp(bencher: Bencher<'_, '_>, live: u32) {
     const STEPS: u32 = 100;
-    let zv = design(Kind::ZV, mode(0.0), 0.05).expect("undamped designs exist");
+    let zv = Design::from(design(Kind::ZV, mode(0.0), 0.05).expect("undamped designs exist"));
     let step = zv.duration() / f64::from(live);
     let mut trains = Trains::new(0.0, live as usize + 8);
     let mut n = 0;
@@ -67,6 +67,6 @@ fn ramp(bencher: Bencher<'_, '_>, live: u32) {
 fn idle(bencher: Bencher<'_, '_>) {
     let zv = design(Kind::ZV, mode(0.0), 0.05).expect("undamped designs exist");
     let mut trains = Trains::new(0.0, 8);
-    trains.set_command(0.0, 1.0, &zv);
+    trains.set_command(0.0, 1.0, &zv.into());
     bencher.bench_local(|| black_box(&mut trains).advance(black_box(1.0)));
 }

@@ -4,7 +4,7 @@
 //! vibration that the bare command would have excited. [`Specification`] says what is wanted and designs trains of every [`Kind`];
 //! [`design`] is the short way to those for which a [`Mode`] says enough;
 //! [`residual_vibration`], [`sensitivity_curve`], [`highest_vibration`] and [`insensitivity`] say how good it is when the mode is not quite what
-//! was designed for; [`Trains`] shapes a command that changes at any time, with a design that may change too.
+//! was designed for; [`Trains`] shapes a command that changes at any time, with a [`Design`] that may change too.
 //!
 //! ```
 //! use swayless_shaping::{Kind, Mode, design, insensitivity, residual_vibration};
@@ -25,6 +25,7 @@ mod analysis;
 mod binomial;
 mod convolution;
 mod design;
+mod designed;
 mod differences;
 mod ei;
 mod error;
@@ -43,12 +44,13 @@ mod umzv;
 pub use analysis::{Sensitivity, highest_vibration, residual_vibration, sensitivity_curve};
 pub use convolution::convolve;
 pub use design::{Kind, design};
+pub use designed::{Design, Designer};
 pub use error::{DesignError, ModeError, ShaperError};
 pub use insensitivity::{Band, band, insensitivity};
 pub use minimum_impulse::{MinimumImpulse, MinimumImpulseError, minimum_impulse, minimum_impulse_solution};
 pub use mode::Mode;
 pub use pendulum::{double_pendulum, pendulum};
 pub use shaper::{Impulse, MAX_IMPULSES, Shaper};
-pub use specification::{Design, Quantity, Specification, SpecificationError};
+pub use specification::{Quantity, Specification, SpecificationError};
 pub use specified::{SpecifiedError, specified_insensitivity};
 pub use train::{Pending, Trains};

@@ -66,6 +66,11 @@ impl Mode {
         (-PI * self.decay_angle()).exp()
     }
 
+    /// The mode with the same damping ratio at 1 rad/s.
+    pub(crate) fn at_unit_frequency(self) -> Self {
+        Self { frequency: 1.0, ..self }
+    }
+
     /// r = ζω/ω_d = ζ/√(1 − ζ²): the decay per radian of damped oscillation.
     pub(crate) fn decay_angle(self) -> f64 {
         self.damping_ratio / damped_share(self.damping_ratio)

@@ -3,7 +3,7 @@
 use std::error::Error;
 use std::fmt;
 
-use crate::{Band, DesignError, Kind, Mode, Shaper, SpecifiedError, design, specified_insensitivity};
+use crate::{Band, Design, DesignError, Kind, Mode, SpecifiedError, design, specified_insensitivity};
 
 /// All that a design can depend on. Each kind looks at what it needs and at nothing else.
 ///
@@ -35,21 +35,38 @@ impl Specification {
         Self { kind, modes: [Some(mode), None], vibration_limit: 0.05, insensitivity: 0.4 }
     }
 
-    /// Designs it. Kinds with SI in their name allocate and take up to some milliseconds, all others neither.
+    /// Designs it. Kinds with SI in their name allocate and take up to some milliseconds, all others neither; a
+    /// [`Designer`](crate::Designer) spares that where only the frequency has changed.
     ///
     /// # Errors
     /// [`SpecificationError`], whose [`quantity`](SpecificationError::quantity) says what to change.
     pub fn design(&self) -> Result<Design, SpecificationError> {
+        match self.at_unit_frequency() {
+            Some((unit, frequency)) => Ok(unit.design_directly()?.at_frequency(frequency)),
+            None => self.design_directly(),
+        }
+    }
+
+    pub(crate) fn design_directly(&self) -> Result<Design, SpecificationError> {
         match self.kind {
-            Kind::None => Ok(Design::of(Shaper::unshaped())),
+            Kind::None => Ok(Design::unshaped()),
             Kind::SI => {
                 let mode = self.only_mode()?;
-                // At unit frequency, so that the design of another frequency is the same, scaled.
-                let band = Band::around(1.0, self.insensitivity)?;
-                let unit = specified_insensitivity(band, mode.damping_ratio(), self.vibration_limit)?;
-                Ok(Design::of(unit.at_frequency(mode.frequency())))
+                let band = Band::around(mode.frequency(), self.insensitivity)?;
+                Ok(specified_insensitivity(band, mode.damping_ratio(), self.vibration_limit)?.into())
             }
-            _ => Ok(Design::of(design(self.kind, self.only_mode()?, self.vibration_limit)?)),
+            _ => Ok(design(self.kind, self.only_mode()?, self.vibration_limit)?.into()),
+        }
+    }
+
+    /// For kinds that are dear to design: the same around a frequency of 1 rad/s, and the frequency that its times are to be
+    /// divided by. So all frequencies share one design.
+    pub(crate) fn at_unit_frequency(&self) -> Option<(Self, f64)> {
+        match (self.kind, self.modes) {
+            (Kind::SI, [Some(mode), None]) => {
+                Some((Self { modes: [Some(mode.at_unit_frequency()), None], ..*self }, mode.frequency()))
+            }
+            _ => None,
         }
     }
 
@@ -62,37 +79,6 @@ impl Specification {
             Some(_) => Err(SpecificationError::UnusedMode { kind: self.kind }),
             None => self.mode(0),
         }
-    }
-}
-
-/// What a [`Specification`] is answered with.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Design {
-    shaper: Shaper,
-}
-
-impl Design {
-    /// A design of one train for all changes of the command.
-    fn of(shaper: Shaper) -> Self {
-        Self { shaper }
-    }
-
-    /// No shaping at all.
-    #[must_use]
-    pub fn unshaped() -> Self {
-        Self::of(Shaper::unshaped())
-    }
-
-    /// The train of a change.
-    #[must_use]
-    pub fn shaper(&self) -> &Shaper {
-        &self.shaper
-    }
-
-    /// The longest delay that shaping adds, in seconds.
-    #[must_use]
-    pub fn duration(&self) -> f64 {
-        self.shaper.duration()
     }
 }
 

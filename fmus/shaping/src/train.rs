@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::Shaper;
+use crate::{Design, Shaper};
 
 /// A part of a command that is still to come.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -24,6 +24,8 @@ pub struct Pending {
 pub struct Trains {
     command: f64,
     value: f64,
+    /// When of those trains that should be alone the last one ends, and the one before (s).
+    ends: [f64; 2],
     /// Latest first, so that the next one is at the end.
     pending: Vec<Pending>,
 }
@@ -33,21 +35,25 @@ pub struct Trains {
 struct Parts {
     command: f64,
     value: f64,
+    ends: [f64; 2],
     pending: Vec<Pending>,
 }
 
 impl TryFrom<Parts> for Trains {
     type Error = &'static str;
 
-    fn try_from(Parts { command, value, pending }: Parts) -> Result<Self, Self::Error> {
+    fn try_from(Parts { command, value, ends, pending }: Parts) -> Result<Self, Self::Error> {
         let finite = |pending: &Pending| pending.time.is_finite() && pending.amount.is_finite();
         if !command.is_finite() || !value.is_finite() || !pending.iter().all(finite) {
             return Err("a command or pending impulse is not finite");
         }
+        if !ends.iter().all(|end| end.is_finite()) || ends[0] < ends[1] {
+            return Err("the ends of trains are not in order");
+        }
         if !pending.is_sorted_by(|a, b| a.time >= b.time) {
             return Err("the pending impulses are not in order");
         }
-        Ok(Self { command, value, pending })
+        Ok(Self { command, value, ends, pending })
     }
 }
 
@@ -62,6 +68,7 @@ impl Clone for Trains {
     fn clone_from(&mut self, source: &Self) {
         self.command = source.command;
         self.value = source.value;
+        self.ends = source.ends;
         self.pending.clone_from(&source.pending);
     }
 }
@@ -71,16 +78,26 @@ impl Trains {
     /// are possible, but make room by allocating.
     #[must_use]
     pub fn new(command: f64, capacity: usize) -> Self {
-        Self { command, value: command, pending: Vec::with_capacity(capacity) }
+        Self { command, value: command, ends: [f64::MIN; 2], pending: Vec::with_capacity(capacity) }
     }
 
-    /// The command has a new value from `time` on; the change spawns a train shaped by `shaper`. Impulses due at `time` act at
-    /// once. Returns the shaped command.
-    pub fn set_command(&mut self, time: f64, command: f64, shaper: &Shaper) -> f64 {
-        let delta = command - self.command;
+    /// The command has a new value from `time` on; the change spawns a train of `design`. Impulses due at `time` act at once.
+    /// Returns the shaped command.
+    ///
+    /// Where a design has another train for braking, a change from u⁻ to u⁺ that makes the command grow in magnitude is
+    /// accelerating and one that makes it shrink braking. One that changes its sign is both at once, −u⁻ and +u⁺.
+    pub fn set_command(&mut self, time: f64, command: f64, design: &Design) -> f64 {
+        let before = self.command;
+        let change = command - before;
         self.command = command;
-        if delta != 0.0 {
-            self.spawn(time, delta, shaper);
+        match design.braking() {
+            Some(braking) if before != 0.0 && command != 0.0 && (before < 0.0) != (command < 0.0) => {
+                self.spawn(time, -before, braking, design.adds_up());
+                self.spawn(time, command, design.shaper(), design.adds_up());
+            }
+            Some(braking) if command.abs() < before.abs() => self.spawn(time, change, braking, design.adds_up()),
+            _ if change != 0.0 => self.spawn(time, change, design.shaper(), design.adds_up()),
+            _ => {}
         }
         self.release(time);
         self.value = self.sum();
@@ -108,6 +125,12 @@ impl Trains {
         self.value
     }
 
+    /// Whether at a time, not before that last set or advanced to, trains overlap that are exact only alone.
+    #[must_use]
+    pub fn interfere(&self, time: f64) -> bool {
+        !is_due(self.ends[1], time)
+    }
+
     /// When the next impulse is due; `None` when all trains have finished.
     #[must_use]
     pub fn next_time(&self) -> Option<f64> {
@@ -127,7 +150,12 @@ impl Trains {
 
     /// Merges the train of one change into the queue, from its end, where the next ones are. Of impulses at the same time the
     /// one spawned first comes first.
-    fn spawn(&mut self, start: f64, delta: f64, shaper: &Shaper) {
+    fn spawn(&mut self, start: f64, delta: f64, shaper: &Shaper, adds_up: bool) {
+        if !adds_up {
+            let end = start + shaper.duration();
+            let [last, before] = self.ends;
+            self.ends = if end > last { [end, last] } else { [last, before.max(end)] };
+        }
         let later = shaper.impulses().iter().skip_while(|impulse| is_due(start + impulse.time, start));
         let mut new =
             later.map(|impulse| Pending { time: start + impulse.time, amount: delta * impulse.amplitude }).peekable();

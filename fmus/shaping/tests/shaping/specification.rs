@@ -1,6 +1,6 @@
 //! The one door: it gives what the functions behind it give, and says what to change where it gives nothing.
 
-use swayless_shaping::{Band, Kind, Quantity, Specification, design, specified_insensitivity};
+use swayless_shaping::{Band, Designer, Kind, Quantity, Specification, design, specified_insensitivity};
 
 use crate::{distance, mode};
 
@@ -17,6 +17,23 @@ fn si_is_designed_around_the_mode() {
     let wanted = Specification { insensitivity: 0.3, ..Specification::new(Kind::SI, mode(1.7, 0.01)) };
     let direct = specified_insensitivity(Band::around(1.7, 0.3).unwrap(), 0.01, 0.05).unwrap();
     assert!(distance(wanted.design().unwrap().shaper(), &direct) < 1e-8);
+}
+
+#[test]
+fn what_a_designer_remembers_does_not_show() {
+    let mut designer = Designer::default();
+    for (kind, insensitivity, frequency) in [
+        (Kind::SI, 0.3, 1.0),
+        (Kind::SI, 0.3, 0.7),
+        (Kind::ZVD, 0.3, 0.7),
+        (Kind::SI, 0.5, 0.7),
+        (Kind::SI, 2.0, 0.7),
+        (Kind::SI, 0.3, 2.9),
+    ] {
+        let wanted = Specification { insensitivity, ..Specification::new(kind, mode(frequency, 0.01)) };
+        assert_eq!(designer.design(&wanted), wanted.design());
+        assert_eq!(designer.design(&wanted), wanted.design(), "again");
+    }
 }
 
 #[test]

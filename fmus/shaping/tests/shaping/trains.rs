@@ -1,7 +1,7 @@
 //! Commands shaped while they change, against the plain double sum over changes and impulses.
 
 use proptest::prelude::*;
-use swayless_shaping::{Kind, Shaper, Trains};
+use swayless_shaping::{Design, Kind, Shaper, Trains};
 
 use crate::{designed, shaper};
 
@@ -49,7 +49,7 @@ fn shaped(changes: &[Change], start: f64, times: &[f64]) -> Vec<f64> {
         while let [change, later @ ..] = rest
             && change.time <= time
         {
-            trains.set_command(change.time, change.command, &change.shaper);
+            trains.set_command(change.time, change.command, &change.shaper.clone().into());
             rest = later;
         }
         trains.advance(time)
@@ -107,7 +107,7 @@ proptest! {
     fn pending_impulses_stay_in_order(changes in changes()) {
         let mut trains = Trains::new(0.0, 8);
         for change in &changes {
-            trains.set_command(change.time, change.command, &change.shaper);
+            trains.set_command(change.time, change.command, &change.shaper.clone().into());
             prop_assert!(trains.pending().map(|pending| pending.time).is_sorted());
             prop_assert!(trains.pending().all(|pending| pending.time > change.time));
             prop_assert_eq!(trains.next_time(), trains.pending().next().map(|pending| pending.time));
@@ -128,7 +128,7 @@ proptest! {
 
 #[test]
 fn an_impulse_at_the_end_of_a_step_is_in_it() {
-    let halves = shaper([(0.0, 0.5), (0.3, 0.5)]);
+    let halves = Design::from(shaper([(0.0, 0.5), (0.3, 0.5)]));
     for start in [0.0, 0.1, 0.7, 12.3, 1e6] {
         let mut trains = Trains::new(0.0, 4);
         assert_eq!(trains.set_command(start, 1.0, &halves), 0.5);
@@ -143,7 +143,7 @@ fn an_impulse_at_the_end_of_a_step_is_in_it() {
 fn rounding_does_not_delay_an_impulse_by_a_step() {
     // n·h and t₀ + tᵢ mean the same time, but 0.1 + 0.2 rounds up and 3 × 0.1 too, whereas 0.3 does not
     let mut trains = Trains::new(0.0, 4);
-    trains.set_command(0.1, 1.0, &shaper([(0.0, 0.5), (0.2, 0.5)]));
+    trains.set_command(0.1, 1.0, &shaper([(0.0, 0.5), (0.2, 0.5)]).into());
     assert!(trains.next_time().unwrap() > 0.3);
     assert_eq!(trains.advance(0.3), 1.0);
 }
@@ -151,8 +151,8 @@ fn rounding_does_not_delay_an_impulse_by_a_step() {
 #[test]
 fn unshaped_changes_pass_at_once_and_live_trains_finish() {
     let mut trains = Trains::new(0.0, 4);
-    trains.set_command(0.0, 1.0, &shaper([(0.0, 0.25), (1.0, 0.75)]));
-    assert_eq!(trains.set_command(0.5, 3.0, &Shaper::unshaped()), 2.25);
+    trains.set_command(0.0, 1.0, &shaper([(0.0, 0.25), (1.0, 0.75)]).into());
+    assert_eq!(trains.set_command(0.5, 3.0, &Design::unshaped()), 2.25);
     assert_eq!((trains.command(), trains.value(), trains.pending().len()), (3.0, 2.25, 1));
     assert_eq!(trains.advance(1.0), 3.0);
 }
@@ -160,13 +160,13 @@ fn unshaped_changes_pass_at_once_and_live_trains_finish() {
 #[test]
 fn a_repeated_command_spawns_nothing() {
     let mut trains = Trains::new(2.0, 4);
-    assert_eq!(trains.set_command(1.0, 2.0, &designed(Kind::ZV, 1.0, 0.0)), 2.0);
+    assert_eq!(trains.set_command(1.0, 2.0, &designed(Kind::ZV, 1.0, 0.0).into()), 2.0);
     assert_eq!(trains.next_time(), None);
 }
 
 #[test]
 fn a_ramp_of_an_hour_neither_drifts_nor_allocates() {
-    let (zvd, step) = (designed(Kind::ZVD, 1.0, 0.01), 0.01);
+    let (zvd, step) = (Design::from(designed(Kind::ZVD, 1.0, 0.01)), 0.01);
     let mut trains = Trains::new(0.0, 1500);
     let room = trains.capacity();
     let mut command = 0.0;
@@ -181,4 +181,69 @@ fn a_ramp_of_an_hour_neither_drifts_nor_allocates() {
     let pending: f64 = trains.pending().map(|pending| pending.amount).sum();
     assert!((trains.value() + pending - command).abs() < 1e-13);
     assert_eq!(trains.advance(1e6), command);
+}
+
+/// The rule of UMZVc, by hand: growing from 0 and on, shrinking, changing sign, shrinking to 0.
+#[test]
+fn braking_has_its_own_train() {
+    let up = shaper([(0.0, 1.0), (2.0, -1.0), (4.0, 1.0)]);
+    let down = shaper([(0.0, 1.0), (1.0, -1.0), (5.0, 1.0)]);
+    let both = Design::of_both(up, down);
+    assert_eq!(both.duration(), 5.0);
+    let mut trains = Trains::new(0.0, 16);
+    for (start, before, command, expected) in [
+        (0.0, 0.0, -2.0, [(0.0, -2.0), (2.0, 0.0), (4.0, -2.0)].as_slice()),
+        (10.0, -2.0, -3.0, &[(0.0, -3.0), (2.0, -2.0), (4.0, -3.0)]),
+        (20.0, -3.0, -1.0, &[(0.0, -1.0), (1.0, -3.0), (5.0, -1.0)]),
+        // −(−1) by the braking train and +4 by the accelerating one
+        (30.0, -1.0, 4.0, &[(0.0, 4.0), (1.0, 3.0), (2.0, -1.0), (4.0, 3.0), (5.0, 4.0)]),
+        (40.0, 4.0, 0.0, &[(0.0, 0.0), (1.0, 4.0), (5.0, 0.0)]),
+    ] {
+        assert_eq!(trains.value(), before);
+        let first = trains.set_command(start, command, &both);
+        assert_eq!(first, expected[0].1);
+        assert_eq!(trains.pending().len(), expected.len() - 1);
+        for &(time, value) in expected {
+            assert_eq!(trains.advance(start + time), value, "{command} at {time}");
+        }
+    }
+}
+
+#[test]
+fn trains_interfere_while_they_overlap_unless_they_add_up() {
+    let train = shaper([(0.0, 0.5), (2.0, 0.5)]);
+    let mut trains = Trains::new(0.0, 16);
+    let alone = Design::alone(train.clone());
+    trains.set_command(-10.0, 1.0, &alone);
+    assert!(!trains.interfere(-10.0));
+    // one that ends when the other begins does not overlap it
+    trains.set_command(-8.0, 0.0, &alone);
+    assert!(!trains.interfere(-8.0));
+    trains.set_command(-7.0, 1.0, &alone);
+    assert!(trains.interfere(-7.0) && trains.interfere(-6.1) && !trains.interfere(-6.0));
+    // nor do trains that add up, or changes that pass at once
+    trains.set_command(0.0, 0.0, &train.clone().into());
+    trains.set_command(1.0, 1.0, &train.clone().into());
+    trains.set_command(1.0, 2.0, &Design::unshaped());
+    assert!(!trains.interfere(1.0));
+    // a change of sign that brakes and accelerates is two trains; they overlap until the first has ended
+    let mut trains = Trains::new(-1.0, 16);
+    trains.set_command(0.0, 1.0, &Design::of_both(shaper([(0.0, 1.0), (3.0, 0.0)]), train));
+    assert!(trains.interfere(0.0) && trains.interfere(1.9) && !trains.interfere(2.0));
+}
+
+#[test]
+fn forged_trains_are_refused() {
+    let mut trains = Trains::new(0.5, 16);
+    trains.set_command(0.0, 1.0, &Design::alone(designed(Kind::ZVD, 1.0, 0.0)));
+    let saved = serde_json::to_value(&trains).unwrap();
+    assert!(serde_json::from_value::<Trains>(saved.clone()).is_ok());
+    let forge = |path: &str, value: serde_json::Value| {
+        let mut forged = saved.clone();
+        *forged.pointer_mut(path).unwrap() = value;
+        serde_json::from_value::<Trains>(forged)
+    };
+    for (path, value) in [("/ends/1", 1e9.into()), ("/pending/0/time", 0.0.into()), ("/pending/1/amount", ().into())] {
+        assert!(forge(path, value).is_err(), "{path}");
+    }
 }
