@@ -31,11 +31,15 @@ pub enum Kind {
     UMZVD,
     /// Unity-magnitude extra-insensitive: five impulses like UMZVD's, with a hump of the limit at the design frequency.
     UMEI,
+    /// A shaper of its own for each of two modes, in series.
+    Convolved,
+    /// At most three impulses, negative ones among them, that leave nothing of either of two modes.
+    MinimumImpulse,
 }
 
 impl Kind {
     /// All kinds, in the order of their declaration.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 14] = [
         Self::None,
         Self::ZV,
         Self::ZVD,
@@ -48,6 +52,8 @@ impl Kind {
         Self::UMZV,
         Self::UMZVD,
         Self::UMEI,
+        Self::Convolved,
+        Self::MinimumImpulse,
     ];
 
     /// The kinds that [`design`] knows: a mode, and for some a vibration limit, says all about them.
@@ -81,6 +87,8 @@ impl Kind {
             Self::UMZV => "UMZV",
             Self::UMZVD => "UMZVD",
             Self::UMEI => "UMEI",
+            Self::Convolved => "Convolved",
+            Self::MinimumImpulse => "MinimumImpulse",
         }
     }
 }
@@ -111,7 +119,7 @@ pub fn design(kind: Kind, mode: Mode, vibration_limit: f64) -> Result<Shaper, De
         Kind::EI => ei::design(mode, vibration_limit),
         Kind::TwoHumpEI => humps::two_hump(mode, vibration_limit),
         Kind::ThreeHumpEI => humps::three_hump(mode, vibration_limit),
-        Kind::SI => Err(DesignError::Kind { kind }),
+        Kind::SI | Kind::Convolved | Kind::MinimumImpulse => Err(DesignError::Kind { kind }),
         Kind::UMZV => umzv::design(mode),
         Kind::UMZVD => humps::unity(kind, mode, 0.0),
         Kind::UMEI => humps::unity(kind, mode, vibration_limit),

@@ -3,7 +3,10 @@
 use std::error::Error;
 use std::fmt;
 
-use crate::{Band, Design, DesignError, Kind, Mode, SpecifiedError, design, specified_insensitivity};
+use crate::{
+    Band, Design, DesignError, Kind, MinimumImpulseError, Mode, ShaperError, SpecifiedError, convolve, design,
+    minimum_impulse_solution, specified_insensitivity,
+};
 
 /// All that a design can depend on. Each kind looks at what it needs and at nothing else.
 ///
@@ -26,13 +29,25 @@ pub struct Specification {
     pub vibration_limit: f64,
     /// Insensitivity I of `SI`: the full width of the range of frequencies in which V stays below the limit, over the mode's frequency.
     pub insensitivity: f64,
+    /// The kinds that `Convolved` is made of, one for each mode: kinds of one mode.
+    pub base_kinds: [Kind; 2],
+    /// Which of the `MinimumImpulse` solutions, from 1, the shortest.
+    pub solution: usize,
 }
 
 impl Specification {
-    /// A kind for one mode, with 5 % of vibration allowed, for SI within ±20 % of the frequency.
+    /// A kind for one mode, with 5 % of vibration allowed, for SI within ±20 % of the frequency; if a second mode is added, ZV for
+    /// each, or the shortest solution.
     #[must_use]
     pub fn new(kind: Kind, mode: Mode) -> Self {
-        Self { kind, modes: [Some(mode), None], vibration_limit: 0.05, insensitivity: 0.4 }
+        Self {
+            kind,
+            modes: [Some(mode), None],
+            vibration_limit: 0.05,
+            insensitivity: 0.4,
+            base_kinds: [Kind::ZV; 2],
+            solution: 1,
+        }
     }
 
     /// Designs it. Kinds with SI in their name allocate and take up to some milliseconds, all others neither; a
@@ -55,6 +70,11 @@ impl Specification {
                 let band = Band::around(mode.frequency(), self.insensitivity)?;
                 Ok(specified_insensitivity(band, mode.damping_ratio(), self.vibration_limit)?.into())
             }
+            Kind::Convolved => {
+                let [first, second] = [self.base(0)?, self.base(1)?];
+                Ok(convolve(first.shaper(), second.shaper()).map_err(SpecificationError::Convolved)?.into())
+            }
+            Kind::MinimumImpulse => Ok(minimum_impulse_solution([self.mode(0)?, self.mode(1)?], self.solution)?.into()),
             _ => Ok(design(self.kind, self.only_mode()?, self.vibration_limit)?.into()),
         }
     }
@@ -68,6 +88,20 @@ impl Specification {
             }
             _ => None,
         }
+    }
+
+    /// The design of one mode that `Convolved` is made of.
+    fn base(&self, index: usize) -> Result<Design, SpecificationError> {
+        let (mode, kind) = (self.mode(index)?, self.base_kinds[index]);
+        if kind != Kind::SI && !Kind::OF_A_MODE.contains(&kind) {
+            return Err(SpecificationError::BaseKind { kind, index });
+        }
+        let base = Self { kind, modes: [Some(mode), None], ..*self };
+        base.design().map_err(|error| match error {
+            SpecificationError::Design { error, .. } => SpecificationError::Design { error, mode: index },
+            SpecificationError::Specified { error, .. } => SpecificationError::Specified { error, mode: index },
+            error => error,
+        })
     }
 
     fn mode(&self, index: usize) -> Result<Mode, SpecificationError> {
@@ -95,6 +129,10 @@ pub enum Quantity {
     VibrationLimit,
     /// [`Specification::insensitivity`].
     Insensitivity,
+    /// One of [`Specification::base_kinds`].
+    BaseKind(usize),
+    /// [`Specification::solution`].
+    Solution,
 }
 
 /// Why a [`Specification`] has no design.
@@ -112,10 +150,31 @@ pub enum SpecificationError {
         /// The kind asked for.
         kind: Kind,
     },
+    /// `Convolved` cannot be made of that kind.
+    BaseKind {
+        /// The kind asked for.
+        kind: Kind,
+        /// For which mode, from 0.
+        index: usize,
+    },
     /// The equations of the kind have no solution.
-    Design(DesignError),
+    Design {
+        /// Why.
+        error: DesignError,
+        /// Of which mode, from 0.
+        mode: usize,
+    },
     /// There is no SI shaper.
-    Specified(SpecifiedError),
+    Specified {
+        /// Why.
+        error: SpecifiedError,
+        /// Of which mode, from 0.
+        mode: usize,
+    },
+    /// The two shapers have no train in series.
+    Convolved(ShaperError),
+    /// There is no such minimum-impulse shaper.
+    MinimumImpulse(MinimumImpulseError),
 }
 
 impl SpecificationError {
@@ -125,13 +184,19 @@ impl SpecificationError {
         match self {
             Self::MissingMode { index, .. } => Quantity::Frequency(*index),
             Self::UnusedMode { .. } => Quantity::Frequency(1),
-            Self::Design(error) => match error {
+            Self::BaseKind { index, .. } => Quantity::BaseKind(*index),
+            Self::Design { error, mode } => match error {
                 DesignError::Kind { .. } => Quantity::Kind,
                 DesignError::VibrationLimit { .. } => Quantity::VibrationLimit,
-                DesignError::NoSolution { .. } => Quantity::DampingRatio(0),
+                DesignError::NoSolution { .. } => Quantity::DampingRatio(*mode),
             },
-            Self::Specified(error) => match error {
-                SpecifiedError::Mode(_) | SpecifiedError::Waiting => Quantity::DampingRatio(0),
+            Self::Convolved(_) => Quantity::BaseKind(1),
+            Self::MinimumImpulse(error) => match error {
+                MinimumImpulseError::Apart { .. } => Quantity::Frequency(1),
+                MinimumImpulseError::Solution { .. } => Quantity::Solution,
+            },
+            Self::Specified { error, mode } => match error {
+                SpecifiedError::Mode(_) | SpecifiedError::Waiting => Quantity::DampingRatio(*mode),
                 SpecifiedError::VibrationLimit { .. } => Quantity::VibrationLimit,
                 SpecifiedError::Reversed { .. }
                 | SpecifiedError::Insensitivity { .. }
@@ -148,8 +213,13 @@ impl fmt::Display for SpecificationError {
         match self {
             Self::MissingMode { kind, index } => write!(f, "{kind} needs the frequency of mode {}", index + 1),
             Self::UnusedMode { kind } => write!(f, "{kind} shapes one mode only; leave the second out"),
-            Self::Design(error) => error.fmt(f),
-            Self::Specified(error) => error.fmt(f),
+            Self::BaseKind { kind, index } => {
+                write!(f, "Convolved is made of kinds for one mode, and {kind}, for mode {}, is none", index + 1)
+            }
+            Self::Design { error, .. } => error.fmt(f),
+            Self::Specified { error, .. } => error.fmt(f),
+            Self::Convolved(error) => write!(f, "{error}; convolve kinds with fewer impulses"),
+            Self::MinimumImpulse(error) => error.fmt(f),
         }
     }
 }
@@ -158,12 +228,18 @@ impl Error for SpecificationError {}
 
 impl From<DesignError> for SpecificationError {
     fn from(error: DesignError) -> Self {
-        Self::Design(error)
+        Self::Design { error, mode: 0 }
     }
 }
 
 impl From<SpecifiedError> for SpecificationError {
     fn from(error: SpecifiedError) -> Self {
-        Self::Specified(error)
+        Self::Specified { error, mode: 0 }
+    }
+}
+
+impl From<MinimumImpulseError> for SpecificationError {
+    fn from(error: MinimumImpulseError) -> Self {
+        Self::MinimumImpulse(error)
     }
 }

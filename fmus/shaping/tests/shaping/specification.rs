@@ -1,6 +1,8 @@
 //! The one door: it gives what the functions behind it give, and says what to change where it gives nothing.
 
-use swayless_shaping::{Band, Designer, Kind, Quantity, Specification, design, specified_insensitivity};
+use swayless_shaping::{
+    Band, Designer, Kind, Quantity, Specification, convolve, design, minimum_impulse_solution, specified_insensitivity,
+};
 
 use crate::{distance, mode};
 
@@ -33,6 +35,32 @@ fn what_a_designer_remembers_does_not_show() {
         let wanted = Specification { insensitivity, ..Specification::new(kind, mode(frequency, 0.01)) };
         assert_eq!(designer.design(&wanted), wanted.design());
         assert_eq!(designer.design(&wanted), wanted.design(), "again");
+    }
+}
+
+#[test]
+fn kinds_for_two_modes_need_both() {
+    let modes = [mode(1.0, 0.0), mode(3.7, 0.0)];
+    let of = |kind| Specification { modes: modes.map(Some), ..Specification::new(kind, modes[0]) };
+    let wanted = Specification { base_kinds: [Kind::EI, Kind::SI], ..of(Kind::Convolved) };
+    let si = Specification::new(Kind::SI, modes[1]).design().unwrap();
+    let series = convolve(&design(Kind::EI, modes[0], 0.05).unwrap(), si.shaper()).unwrap();
+    assert_eq!(*wanted.design().unwrap().shaper(), series);
+    let wanted = Specification { solution: 3, ..of(Kind::MinimumImpulse) };
+    assert_eq!(*wanted.design().unwrap().shaper(), minimum_impulse_solution(modes, 3).unwrap());
+
+    for kind in [Kind::Convolved, Kind::MinimumImpulse] {
+        let wanted = of(kind);
+        let refused = |wanted: Specification| wanted.design().unwrap_err().quantity();
+        assert_eq!(refused(Specification { modes: [wanted.modes[0], None], ..wanted }), Quantity::Frequency(1));
+        let sluggish = [mode(1.0, 0.0), mode(1.0, 0.99)].map(Some);
+        let bases = Specification { base_kinds: [Kind::UMZVD; 2], modes: sluggish, ..of(Kind::Convolved) };
+        assert_eq!(refused(bases), Quantity::DampingRatio(1));
+        for (index, base_kinds) in [[kind, Kind::ZV], [Kind::ZV, kind]].into_iter().enumerate() {
+            let nested = Specification { base_kinds, ..of(Kind::Convolved) };
+            assert_eq!(refused(nested), Quantity::BaseKind(index));
+        }
+        assert_eq!(refused(Specification { solution: 99, ..of(Kind::MinimumImpulse) }), Quantity::Solution);
     }
 }
 
