@@ -2,7 +2,9 @@
 
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
-use swayless_shaping::{Band, Design, Kind, Mode, Trains, design, insensitivity, specified_insensitivity};
+use swayless_shaping::{
+    Band, CompensatedForm, Design, Kind, Mode, Trains, compensated, design, insensitivity, specified_insensitivity,
+};
 
 // shows that nothing is allocated
 #[global_allocator]
@@ -38,6 +40,13 @@ fn width(bencher: Bencher<'_, '_>, kind: &Kind) {
 fn specified((width, damping_ratio): (u32, f64)) {
     let range = Band::around(1.0, f64::from(width) * 1e-3).expect("an insensitivity in range");
     let _ = black_box(specified_insensitivity(black_box(range), black_box(damping_ratio), black_box(0.05)));
+}
+
+/// UMZVc for a drive that accelerates with the first and brakes with the second time constant, in periods.
+#[divan::bench(args = [(0.05, 0.035), (0.16, 0.035), (0.035, 0.16), (1.0, 0.1)])]
+fn unequal_ramps((acceleration, braking): (f64, f64)) {
+    let [a, b] = [acceleration, braking].map(|share| share * mode(0.0).period());
+    let _ = black_box(compensated(black_box(mode(0.0)), black_box(a), black_box(b), CompensatedForm::ExactRamp));
 }
 
 /// A ramp sampled every step, so that each step spawns a train and as many impulses are due; per step.

@@ -18,11 +18,13 @@
 //!
 //! Units are SI: seconds, rad/s. Amplitudes are shares of the command and sum to 1. Equation numbers are those of
 //! J. Danielson, *Mobile Boom Cranes and Advanced Input Shaping Control*, Georgia Institute of Technology, 2008.
-//! [`specified_insensitivity`] gives the shortest shaper for a whole range of frequencies.
+//! [`specified_insensitivity`] gives the shortest shaper for a whole range of frequencies, [`compensated`] the pair of trains for
+//! a drive that accelerates and brakes with unequal time constants.
 //! Nothing in a [`design`] allocates: it may be renewed inside a simulation step.
 
 mod analysis;
 mod binomial;
+mod compensated;
 mod convolution;
 mod design;
 mod designed;
@@ -42,6 +44,10 @@ mod train;
 mod umzv;
 
 pub use analysis::{Sensitivity, highest_vibration, residual_vibration, sensitivity_curve};
+pub use compensated::{
+    Compensated, CompensatedError, CompensatedForm, PulseLength, RampsComplete, TimeConstant, compensated,
+    compensation_exists, pulse_length,
+};
 pub use convolution::convolve;
 pub use design::{Kind, design};
 pub use designed::{Design, Designer};

@@ -71,6 +71,11 @@ impl Mode {
         Self { frequency: 1.0, ..self }
     }
 
+    /// The same mode without its damping.
+    pub(crate) fn undamped(self) -> Self {
+        Self { damping_ratio: 0.0, ..self }
+    }
+
     /// r = ζω/ω_d = ζ/√(1 − ζ²): the decay per radian of damped oscillation.
     pub(crate) fn decay_angle(self) -> f64 {
         self.damping_ratio / damped_share(self.damping_ratio)

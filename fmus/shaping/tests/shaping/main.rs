@@ -1,6 +1,7 @@
 //! Shapers against closed forms, reference values, a simulated oscillator, and what must hold for every mode.
 
 mod closed_forms;
+mod compensated;
 mod extra_insensitive;
 mod humps;
 mod oscillator;
