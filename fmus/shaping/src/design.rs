@@ -31,6 +31,8 @@ pub enum Kind {
     UMZVD,
     /// Unity-magnitude extra-insensitive: five impulses like UMZVD's, with a hump of the limit at the design frequency.
     UMEI,
+    /// UMZV for a drive that accelerates and brakes with different time constants: a train of +1, −1, +1 for each.
+    UMZVc,
     /// A shaper of its own for each of two modes, in series.
     Convolved,
     /// At most three impulses, negative ones among them, that leave nothing of either of two modes.
@@ -39,7 +41,7 @@ pub enum Kind {
 
 impl Kind {
     /// All kinds, in the order of their declaration.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 15] = [
         Self::None,
         Self::ZV,
         Self::ZVD,
@@ -52,6 +54,7 @@ impl Kind {
         Self::UMZV,
         Self::UMZVD,
         Self::UMEI,
+        Self::UMZVc,
         Self::Convolved,
         Self::MinimumImpulse,
     ];
@@ -87,6 +90,7 @@ impl Kind {
             Self::UMZV => "UMZV",
             Self::UMZVD => "UMZVD",
             Self::UMEI => "UMEI",
+            Self::UMZVc => "UMZVc",
             Self::Convolved => "Convolved",
             Self::MinimumImpulse => "MinimumImpulse",
         }
@@ -119,7 +123,7 @@ pub fn design(kind: Kind, mode: Mode, vibration_limit: f64) -> Result<Shaper, De
         Kind::EI => ei::design(mode, vibration_limit),
         Kind::TwoHumpEI => humps::two_hump(mode, vibration_limit),
         Kind::ThreeHumpEI => humps::three_hump(mode, vibration_limit),
-        Kind::SI | Kind::Convolved | Kind::MinimumImpulse => Err(DesignError::Kind { kind }),
+        Kind::SI | Kind::UMZVc | Kind::Convolved | Kind::MinimumImpulse => Err(DesignError::Kind { kind }),
         Kind::UMZV => umzv::design(mode),
         Kind::UMZVD => humps::unity(kind, mode, 0.0),
         Kind::UMEI => humps::unity(kind, mode, vibration_limit),

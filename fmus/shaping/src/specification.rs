@@ -4,8 +4,8 @@ use std::error::Error;
 use std::fmt;
 
 use crate::{
-    Band, Design, DesignError, Kind, MinimumImpulseError, Mode, ShaperError, SpecifiedError, convolve, design,
-    minimum_impulse_solution, specified_insensitivity,
+    Band, CompensatedError, CompensatedForm, Design, DesignError, Kind, MinimumImpulseError, Mode, ShaperError,
+    SpecifiedError, TimeConstant, compensated, convolve, design, minimum_impulse_solution, specified_insensitivity,
 };
 
 /// All that a design can depend on. Each kind looks at what it needs and at nothing else.
@@ -29,6 +29,10 @@ pub struct Specification {
     pub vibration_limit: f64,
     /// Insensitivity I of `SI`: the full width of the range of frequencies in which V stays below the limit, over the mode's frequency.
     pub insensitivity: f64,
+    /// Time constant τ_a with which the drive of `UMZVc` speeds up, in seconds.
+    pub acceleration_time_constant: f64,
+    /// Time constant τ_b with which the drive of `UMZVc` slows down, in seconds.
+    pub braking_time_constant: f64,
     /// The kinds that `Convolved` is made of, one for each mode: kinds of one mode.
     pub base_kinds: [Kind; 2],
     /// Which of the `MinimumImpulse` solutions, from 1, the shortest.
@@ -36,7 +40,7 @@ pub struct Specification {
 }
 
 impl Specification {
-    /// A kind for one mode, with 5 % of vibration allowed, for SI within ±20 % of the frequency; if a second mode is added, ZV for
+    /// A kind for one mode, with 5 % of vibration allowed, for SI within ±20 % of the frequency, for a drive without lag; if a second mode is added, ZV for
     /// each, or the shortest solution.
     #[must_use]
     pub fn new(kind: Kind, mode: Mode) -> Self {
@@ -45,6 +49,8 @@ impl Specification {
             modes: [Some(mode), None],
             vibration_limit: 0.05,
             insensitivity: 0.4,
+            acceleration_time_constant: 0.0,
+            braking_time_constant: 0.0,
             base_kinds: [Kind::ZV; 2],
             solution: 1,
         }
@@ -69,6 +75,11 @@ impl Specification {
                 let mode = self.only_mode()?;
                 let band = Band::around(mode.frequency(), self.insensitivity)?;
                 Ok(specified_insensitivity(band, mode.damping_ratio(), self.vibration_limit)?.into())
+            }
+            Kind::UMZVc => {
+                let (tau_a, tau_b) = (self.acceleration_time_constant, self.braking_time_constant);
+                let both = compensated(self.only_mode()?, tau_a, tau_b, CompensatedForm::ExactRamp)?;
+                Ok(Design::of_both(both.accelerating, both.braking))
             }
             Kind::Convolved => {
                 let [first, second] = [self.base(0)?, self.base(1)?];
@@ -129,6 +140,10 @@ pub enum Quantity {
     VibrationLimit,
     /// [`Specification::insensitivity`].
     Insensitivity,
+    /// [`Specification::acceleration_time_constant`].
+    AccelerationTimeConstant,
+    /// [`Specification::braking_time_constant`].
+    BrakingTimeConstant,
     /// One of [`Specification::base_kinds`].
     BaseKind(usize),
     /// [`Specification::solution`].
@@ -171,6 +186,8 @@ pub enum SpecificationError {
         /// Of which mode, from 0.
         mode: usize,
     },
+    /// There is no UMZVc shaper.
+    Compensated(CompensatedError),
     /// The two shapers have no train in series.
     Convolved(ShaperError),
     /// There is no such minimum-impulse shaper.
@@ -189,6 +206,23 @@ impl SpecificationError {
                 DesignError::Kind { .. } => Quantity::Kind,
                 DesignError::VibrationLimit { .. } => Quantity::VibrationLimit,
                 DesignError::NoSolution { .. } => Quantity::DampingRatio(*mode),
+            },
+            Self::Compensated(error) => match error {
+                CompensatedError::Unity(_) => Quantity::DampingRatio(0),
+                CompensatedError::TimeConstant { which, .. } | CompensatedError::Unequal { which, .. } => match which {
+                    TimeConstant::Acceleration => Quantity::AccelerationTimeConstant,
+                    TimeConstant::Braking => Quantity::BrakingTimeConstant,
+                },
+                // it is the longer one that asks too much
+                CompensatedError::NotFound {
+                    acceleration_time_constant: tau_a, braking_time_constant: tau_b, ..
+                } => {
+                    if tau_a > tau_b {
+                        Quantity::AccelerationTimeConstant
+                    } else {
+                        Quantity::BrakingTimeConstant
+                    }
+                }
             },
             Self::Convolved(_) => Quantity::BaseKind(1),
             Self::MinimumImpulse(error) => match error {
@@ -218,6 +252,7 @@ impl fmt::Display for SpecificationError {
             }
             Self::Design { error, .. } => error.fmt(f),
             Self::Specified { error, .. } => error.fmt(f),
+            Self::Compensated(error) => error.fmt(f),
             Self::Convolved(error) => write!(f, "{error}; convolve kinds with fewer impulses"),
             Self::MinimumImpulse(error) => error.fmt(f),
         }
@@ -235,6 +270,12 @@ impl From<DesignError> for SpecificationError {
 impl From<SpecifiedError> for SpecificationError {
     fn from(error: SpecifiedError) -> Self {
         Self::Specified { error, mode: 0 }
+    }
+}
+
+impl From<CompensatedError> for SpecificationError {
+    fn from(error: CompensatedError) -> Self {
+        Self::Compensated(error)
     }
 }
 

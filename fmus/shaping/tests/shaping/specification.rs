@@ -1,7 +1,8 @@
 //! The one door: it gives what the functions behind it give, and says what to change where it gives nothing.
 
 use swayless_shaping::{
-    Band, Designer, Kind, Quantity, Specification, convolve, design, minimum_impulse_solution, specified_insensitivity,
+    Band, CompensatedForm, Designer, Kind, Quantity, Specification, compensated, convolve, design,
+    minimum_impulse_solution, specified_insensitivity,
 };
 
 use crate::{distance, mode};
@@ -19,6 +20,20 @@ fn si_is_designed_around_the_mode() {
     let wanted = Specification { insensitivity: 0.3, ..Specification::new(Kind::SI, mode(1.7, 0.01)) };
     let direct = specified_insensitivity(Band::around(1.7, 0.3).unwrap(), 0.01, 0.05).unwrap();
     assert!(distance(wanted.design().unwrap().shaper(), &direct) < 1e-8);
+}
+
+#[test]
+fn umzvc_has_both_trains() {
+    let wanted = Specification {
+        acceleration_time_constant: 0.2,
+        braking_time_constant: 0.065,
+        ..Specification::new(Kind::UMZVc, mode(3.4, 0.01))
+    };
+    let design = wanted.design().unwrap();
+    let both = compensated(mode(3.4, 0.01), 0.2, 0.065, CompensatedForm::ExactRamp).unwrap();
+    assert_eq!((design.shaper(), design.braking()), (&both.accelerating, Some(&both.braking)));
+    assert!(!design.adds_up());
+    assert_eq!(design.duration(), both.accelerating.duration().max(both.braking.duration()));
 }
 
 #[test]
@@ -73,6 +88,15 @@ fn a_refusal_says_what_to_change() {
         (Specification { kind: Kind::EI, vibration_limit: 1.0, ..first }, Quantity::VibrationLimit),
         (Specification { kind: Kind::SI, vibration_limit: 0.0, ..first }, Quantity::VibrationLimit),
         (Specification { kind: Kind::SI, insensitivity: 2.0, ..first }, Quantity::Insensitivity),
+        (Specification { kind: Kind::UMZVc, braking_time_constant: -1.0, ..first }, Quantity::BrakingTimeConstant),
+        (
+            Specification { kind: Kind::UMZVc, acceleration_time_constant: 4.0, ..first },
+            Quantity::AccelerationTimeConstant,
+        ),
+        (
+            Specification { kind: Kind::UMZVc, ..Specification::new(Kind::UMZVc, mode(1.0, 0.998)) },
+            Quantity::DampingRatio(0),
+        ),
         (
             Specification { kind: Kind::UMZVD, ..Specification::new(Kind::UMZVD, mode(1.0, 0.99)) },
             Quantity::DampingRatio(0),
