@@ -3,7 +3,8 @@
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 use swayless_shaping::{
-    Band, CompensatedForm, Design, Kind, Mode, Trains, compensated, design, insensitivity, specified_insensitivity,
+    Band, CompensatedForm, Design, Kind, Mode, Ramp, Trains, compensated, design, insensitivity, limited,
+    specified_insensitivity,
 };
 
 // shows that nothing is allocated
@@ -47,6 +48,14 @@ fn specified((width, damping_ratio): (u32, f64)) {
 fn unequal_ramps((acceleration, braking): (f64, f64)) {
     let [a, b] = [acceleration, braking].map(|share| share * mode(0.0).period());
     let _ = black_box(compensated(black_box(mode(0.0)), black_box(a), black_box(b), CompensatedForm::ExactRamp));
+}
+
+/// ALZVD and, with a vibration limit, ALEI for a bare ramp of so many periods.
+#[divan::bench(args = [(0.1, 0.0, 0.0), (0.5, 0.0, 0.0), (0.8, 0.0, 0.0), (2.0, 0.0, 0.0), (0.1, 0.0, 0.05), (0.8, 0.0, 0.05), (0.8, 0.1, 0.0), (0.8, 0.1, 0.05)])]
+fn acceleration_limited((periods, damping_ratio, limit): (f64, f64, f64)) {
+    let mode = mode(damping_ratio);
+    let ramp = Ramp::new(periods * mode.period(), 1.0).expect("a ramp");
+    let _ = black_box(limited(black_box(mode), black_box(ramp), black_box(limit)));
 }
 
 /// A ramp sampled every step, so that each step spawns a train and as many impulses are due; per step.

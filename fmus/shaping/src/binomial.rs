@@ -6,6 +6,11 @@ use crate::{Mode, Shaper};
 /// so that V has a zero of order N − 1 at the mode; N = 3 is (1.2).
 pub(crate) fn design<const N: usize>(mode: Mode) -> Shaper {
     let half_period = 0.5 * mode.damped_period();
+    let amplitudes = amplitudes::<N>(mode);
+    Shaper::of::<N>(std::array::from_fn(|k| (k as f64 * half_period, amplitudes[k])))
+}
+
+pub(crate) fn amplitudes<const N: usize>(mode: Mode) -> [f64; N] {
     let decay = mode.half_period_decay();
     let (first, second) = (1.0 / (1.0 + decay), decay / (1.0 + decay));
     let mut amplitudes = [0.0; N];
@@ -16,5 +21,5 @@ pub(crate) fn design<const N: usize>(mode: Mode) -> Shaper {
         }
         amplitudes[0] *= first;
     }
-    Shaper::of::<N>(std::array::from_fn(|k| (k as f64 * half_period, amplitudes[k])))
+    amplitudes
 }

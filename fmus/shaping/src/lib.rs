@@ -19,7 +19,7 @@
 //! Units are SI: seconds, rad/s. Amplitudes are shares of the command and sum to 1. Equation numbers are those of
 //! J. Danielson, *Mobile Boom Cranes and Advanced Input Shaping Control*, Georgia Institute of Technology, 2008.
 //! [`specified_insensitivity`] gives the shortest shaper for a whole range of frequencies, [`compensated`] the pair of trains for
-//! a drive that accelerates and brakes with unequal time constants.
+//! a drive that accelerates and brakes with unequal time constants, and [`limited`] trains for a drive with an acceleration limit.
 //! Nothing in a [`design`] allocates: it may be renewed inside a simulation step.
 
 mod analysis;
@@ -34,6 +34,7 @@ mod error;
 mod even;
 mod humps;
 mod insensitivity;
+mod limited;
 mod minimum_impulse;
 mod mode;
 mod pendulum;
@@ -53,6 +54,7 @@ pub use design::{Kind, design};
 pub use designed::{Design, Designer};
 pub use error::{DesignError, ModeError, ShaperError};
 pub use insensitivity::{Band, band, insensitivity};
+pub use limited::{Limited, LimitedError, Ramp, limited};
 pub use minimum_impulse::{MinimumImpulse, MinimumImpulseError, minimum_impulse, minimum_impulse_solution};
 pub use mode::Mode;
 pub use pendulum::{double_pendulum, pendulum};

@@ -4,6 +4,7 @@ mod closed_forms;
 mod compensated;
 mod extra_insensitive;
 mod humps;
+mod limited;
 mod oscillator;
 mod properties;
 mod reference;
