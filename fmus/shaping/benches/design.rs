@@ -3,8 +3,8 @@
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 use swayless_shaping::{
-    Band, CompensatedForm, Design, Kind, Mode, Ramp, Trains, compensated, design, insensitivity, limited,
-    specified_insensitivity,
+    Band, CompensatedForm, Design, Kind, Mode, Ramp, Trains, compensated, convolve, design, insensitivity, limited,
+    minimum_impulse, minimum_impulse_solution, specified_insensitivity,
 };
 
 // shows that nothing is allocated
@@ -34,6 +34,27 @@ fn damped(kind: &Kind) {
 fn width(bencher: Bencher<'_, '_>, kind: &Kind) {
     let shaper = design(*kind, mode(0.0), 0.05).expect("undamped designs exist");
     bencher.bench_local(|| insensitivity(black_box(&shaper), mode(0.0), black_box(0.05)));
+}
+
+fn modes(ratio: f64, damping_ratio: f64) -> [Mode; 2] {
+    [1.0, ratio].map(|frequency| Mode::new(frequency, damping_ratio).expect("a mode"))
+}
+
+/// The shortest minimum-impulse shaper, and the fifth.
+#[divan::bench(args = [(1, 0.0), (1, 0.01), (1, 0.1), (5, 0.0), (5, 0.01), (5, 0.1)])]
+fn solution((index, damping_ratio): (usize, f64)) {
+    let _ = black_box(minimum_impulse_solution(black_box(modes(3.7, damping_ratio)), black_box(index)));
+}
+
+#[divan::bench(args = [0.0, 0.01, 0.1])]
+fn solutions(damping_ratio: f64) {
+    let _ = black_box(minimum_impulse(black_box(modes(3.7, damping_ratio))));
+}
+
+#[divan::bench]
+fn series(bencher: Bencher<'_, '_>) {
+    let shapers = modes(3.7, 0.01).map(|mode| design(Kind::ZVD, mode, 0.0).expect("ZVD always exists"));
+    bencher.bench_local(|| convolve(black_box(&shapers[0]), black_box(&shapers[1])));
 }
 
 /// SI for 5 % over a range of the given width, in thousandths; this one allocates.

@@ -20,6 +20,8 @@
 //! J. Danielson, *Mobile Boom Cranes and Advanced Input Shaping Control*, Georgia Institute of Technology, 2008.
 //! [`specified_insensitivity`] gives the shortest shaper for a whole range of frequencies, [`compensated`] the pair of trains for
 //! a drive that accelerates and brakes with unequal time constants, and [`limited`] trains for a drive with an acceleration limit.
+//! For two modes, [`convolve`] puts a shaper
+//! for each in series, and [`minimum_impulse`] lists the trains of three impulses that do with less.
 //! Nothing in a [`design`] allocates: it may be renewed inside a simulation step.
 
 mod analysis;

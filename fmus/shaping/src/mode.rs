@@ -2,6 +2,8 @@
 
 use std::f64::consts::{PI, TAU};
 
+use nalgebra::Complex;
+
 use crate::ModeError;
 
 /// A second-order mode, s² + 2ζωs + ω² = 0, underdamped.
@@ -74,6 +76,12 @@ impl Mode {
     /// The same mode without its damping.
     pub(crate) fn undamped(self) -> Self {
         Self { damping_ratio: 0.0, ..self }
+    }
+
+    /// σ = ζω + jω_d with that share of the damping ratio: an impulse's vibration dies away and turns as e^{−σt}.
+    pub(crate) fn rate(self, share: f64) -> Complex<f64> {
+        let damping_ratio = share * self.damping_ratio;
+        Complex::new(damping_ratio, damped_share(damping_ratio)) * self.frequency
     }
 
     /// r = ζω/ω_d = ζ/√(1 − ζ²): the decay per radian of damped oscillation.

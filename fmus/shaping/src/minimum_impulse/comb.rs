@@ -15,7 +15,7 @@
 
 use std::f64::consts::PI;
 
-use super::{NEGLIGIBLE, Train};
+use super::{LARGEST, NEGLIGIBLE, Train};
 use crate::Impulse;
 
 /// Places 0, jΔ, kΔ on one of the combs.
@@ -63,9 +63,6 @@ impl Comb {
         (size <= LARGEST && amplitudes[0].abs() > NEGLIGIBLE).then(|| Train::of([0, 1, 2].map(impulse)))
     }
 }
-
-/// Trains whose amplitudes are larger, summed, are no solutions: there the modes are in phase at two of the impulses.
-const LARGEST: f64 = 500.0;
 
 /// sin and cos of n half turns times a share, with a small relative error even next to their zeros, for the same share at all n.
 fn sine_and_cosine(n: u32, share: f64) -> (f64, f64) {

@@ -2,12 +2,16 @@
 //!
 //! With the first impulse at time 0 there are two times and three amplitudes for two complex conditions and ΣA = 1 (5.33–5.37),
 //! so solutions are single points, infinitely many. Amplitudes may be negative, and larger than 1. Without damping [`comb`] has
-//! them all.
+//! them all; [`damped`] follows each of them as damping grows, until it may cease to exist.
 
 mod comb;
+mod damped;
 mod error;
+mod system;
 
 pub use error::MinimumImpulseError;
+
+use std::f64::consts::TAU;
 
 use crate::{Impulse, Mode, Shaper};
 use comb::Comb;
@@ -53,20 +57,19 @@ const MAX_PERIODS: f64 = 2.0;
 /// Without damping the shortest is 2/(f₁ + f₂) long. It is ZVD for f₂ = f₁, has three positive impulses up to f₂ = 3f₁, where the
 /// middle one vanishes and ZV is left, is UMZV for f₂ = 5f₁, and has amplitudes beyond ±1 above.
 ///
+/// With damping these are what those 32 become. Some cease to exist, for example, for f₂ = 4f₁, the mirrored one of the two that
+/// are 3/(f₁ + f₂) long, between ζ = 0.02 and 0.05; one that has become longer or shorter by more than 30 % is left out, too. Where
+/// f₂ = 3f₁ and the like, the last impulse of ZV splits in two.
+///
 /// # Errors
 /// [`MinimumImpulseError::Apart`] if one mode is more than 50 times as fast as the other.
 pub fn minimum_impulse(modes: [Mode; 2]) -> Result<MinimumImpulse, MinimumImpulseError> {
-    let mut frequencies = modes.map(Mode::frequency);
-    frequencies.sort_by(f64::total_cmp);
-    let ratio = frequencies[1] / frequencies[0];
-    if ratio > FARTHEST {
-        return Err(MinimumImpulseError::Apart { ratio, most: FARTHEST });
-    }
-    if modes.iter().any(|mode| mode.damping_ratio() > 0.0) {
-        return Ok(MinimumImpulse { count: 0, trains: [Train::default(); MAX_SOLUTIONS] });
-    }
-    let longest = MAX_PERIODS * std::f64::consts::TAU / frequencies[0] * (1.0 + SAME);
-    let mut solutions = MinimumImpulse { count: 0, trains: [Train::default(); MAX_SOLUTIONS] };
+    solve(modes, MAX_SOLUTIONS)
+}
+
+fn undamped(frequencies: [f64; 2]) -> MinimumImpulse {
+    let longest = MAX_PERIODS * TAU / frequencies[0] * (1.0 + SAME);
+    let mut solutions = MinimumImpulse::none();
     let [mut opposite, mut equal] = Comb::both(frequencies);
     while solutions.count < MAX_SOLUTIONS {
         let next = if opposite.duration() <= equal.duration() { &mut opposite } else { &mut equal };
@@ -78,21 +81,49 @@ pub fn minimum_impulse(modes: [Mode; 2]) -> Result<MinimumImpulse, MinimumImpuls
         }
         next.advance();
     }
-    Ok(solutions)
+    solutions
 }
 
-/// One of the [`minimum_impulse`] shapers, counted from 1, which is the shortest.
+/// One of the [`minimum_impulse`] shapers, counted from 1, which is the shortest. Takes less time than all of them.
 ///
 /// # Errors
 /// [`MinimumImpulseError`] for an index of 0 or of more than there are, which it tells, and for modes too far apart.
 pub fn minimum_impulse_solution(modes: [Mode; 2], index: usize) -> Result<Shaper, MinimumImpulseError> {
-    let solutions = minimum_impulse(modes)?;
+    let solutions = solve(modes, index)?;
     let count = solutions.len();
     let train = index.checked_sub(1).and_then(|index| solutions.trains[..count].get(index));
     train.map(Train::shaper).ok_or(MinimumImpulseError::Solution { index, count })
 }
 
+/// The shortest solutions up to that number, or all if there are fewer or none is asked for, and maybe longer ones.
+fn solve(mut modes: [Mode; 2], wanted: usize) -> Result<MinimumImpulse, MinimumImpulseError> {
+    modes.sort_by(|a, b| a.frequency().total_cmp(&b.frequency()));
+    let frequencies = modes.map(Mode::frequency);
+    let ratio = frequencies[1] / frequencies[0];
+    if ratio > FARTHEST {
+        return Err(MinimumImpulseError::Apart { ratio, most: FARTHEST });
+    }
+    let undamped = undamped(frequencies);
+    if modes.iter().all(|mode| mode.damping_ratio() == 0.0) {
+        return Ok(undamped);
+    }
+    let mut damped = MinimumImpulse::none();
+    for train in &undamped.trains[..undamped.count] {
+        let found = wanted.checked_sub(1).and_then(|last| damped.trains[..damped.count].get(last));
+        // no later train becomes as short
+        if found.is_some_and(|found| found.duration() < (1.0 - damped::FARTHEST_DRIFT) * train.duration()) {
+            break;
+        }
+        damped::follow(train, modes).into_iter().flatten().for_each(|train| damped.insert(train));
+    }
+    Ok(damped)
+}
+
 impl MinimumImpulse {
+    fn none() -> Self {
+        Self { count: 0, trains: [Train::default(); MAX_SOLUTIONS] }
+    }
+
     /// Adds a train in its place, unless it is there.
     fn insert(&mut self, train: Train) {
         let held = &self.trains[..self.count];
@@ -116,12 +147,25 @@ struct Train {
 impl Train {
     /// Three impulses, of which one that is zero to rounding is left out.
     fn of(impulses: [Impulse; 3]) -> Self {
+        Self { count: 3, impulses }.without_impulses_below(NEGLIGIBLE)
+    }
+
+    fn without_impulses_below(&self, size: f64) -> Self {
         let mut train = Self::default();
-        for impulse in impulses.into_iter().filter(|impulse| impulse.amplitude.abs() > NEGLIGIBLE) {
-            train.impulses[train.count] = impulse;
+        for impulse in self.impulses().iter().filter(|impulse| impulse.amplitude.abs() > size) {
+            train.impulses[train.count] = *impulse;
             train.count += 1;
         }
         train
+    }
+
+    /// The same with time reversed.
+    fn mirrored(&self) -> Self {
+        let mut mirrored = Self { count: self.count, ..Self::default() };
+        for (to, from) in mirrored.impulses.iter_mut().zip(self.impulses().iter().rev()) {
+            *to = Impulse { time: self.duration() - from.time, ..*from };
+        }
+        mirrored
     }
 
     fn impulses(&self) -> &[Impulse] {
@@ -149,6 +193,9 @@ impl Train {
         Shaper::ordered(self.impulses())
     }
 }
+
+/// Trains whose amplitudes are larger, summed, are no solutions: there the modes are all but in phase at two of the impulses.
+const LARGEST: f64 = 500.0;
 
 /// Amplitudes below this are rounding.
 const NEGLIGIBLE: f64 = 1e-13;
