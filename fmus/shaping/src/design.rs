@@ -33,6 +33,10 @@ pub enum Kind {
     UMEI,
     /// UMZV for a drive that accelerates and brakes with different time constants: a train of +1, −1, +1 for each.
     UMZVc,
+    /// ZVD for a drive with an acceleration limit: no vibration and no slope behind the ramps that it makes of a step.
+    ALZVD,
+    /// EI for a drive with an acceleration limit.
+    ALEI,
     /// A shaper of its own for each of two modes, in series.
     Convolved,
     /// At most three impulses, negative ones among them, that leave nothing of either of two modes.
@@ -41,7 +45,7 @@ pub enum Kind {
 
 impl Kind {
     /// All kinds, in the order of their declaration.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 17] = [
         Self::None,
         Self::ZV,
         Self::ZVD,
@@ -55,6 +59,8 @@ impl Kind {
         Self::UMZVD,
         Self::UMEI,
         Self::UMZVc,
+        Self::ALZVD,
+        Self::ALEI,
         Self::Convolved,
         Self::MinimumImpulse,
     ];
@@ -91,6 +97,8 @@ impl Kind {
             Self::UMZVD => "UMZVD",
             Self::UMEI => "UMEI",
             Self::UMZVc => "UMZVc",
+            Self::ALZVD => "ALZVD",
+            Self::ALEI => "ALEI",
             Self::Convolved => "Convolved",
             Self::MinimumImpulse => "MinimumImpulse",
         }
@@ -123,7 +131,9 @@ pub fn design(kind: Kind, mode: Mode, vibration_limit: f64) -> Result<Shaper, De
         Kind::EI => ei::design(mode, vibration_limit),
         Kind::TwoHumpEI => humps::two_hump(mode, vibration_limit),
         Kind::ThreeHumpEI => humps::three_hump(mode, vibration_limit),
-        Kind::SI | Kind::UMZVc | Kind::Convolved | Kind::MinimumImpulse => Err(DesignError::Kind { kind }),
+        Kind::SI | Kind::UMZVc | Kind::ALZVD | Kind::ALEI | Kind::Convolved | Kind::MinimumImpulse => {
+            Err(DesignError::Kind { kind })
+        }
         Kind::UMZV => umzv::design(mode),
         Kind::UMZVD => humps::unity(kind, mode, 0.0),
         Kind::UMEI => humps::unity(kind, mode, vibration_limit),

@@ -74,8 +74,8 @@ impl Design {
     }
 }
 
-/// Designs, and remembers the last design that was dear, so that the same at another frequency costs next to nothing. What it
-/// gives does not depend on what it remembers.
+/// Designs, and remembers the last design, so that the same again costs next to nothing; of one that is dear, also the same at
+/// another frequency. What it gives does not depend on what it remembers.
 #[derive(Clone, Debug, Default)]
 pub struct Designer {
     last: Option<(Specification, Result<Design, SpecificationError>)>,
@@ -87,11 +87,14 @@ impl Designer {
     /// # Errors
     /// Those of [`Specification::design`].
     pub fn design(&mut self, wanted: &Specification) -> Result<Design, SpecificationError> {
-        let Some((unit, frequency)) = wanted.at_unit_frequency() else {
-            return wanted.design_directly();
-        };
-        let known = self.last.take().filter(|(specification, _)| *specification == unit);
-        let (_, design) = self.last.insert(known.unwrap_or_else(|| (unit, unit.design_directly())));
-        design.clone().map(|design| design.at_frequency(frequency))
+        let scaled = wanted.at_unit_frequency();
+        let key = scaled.map_or(*wanted, |(unit, _)| unit);
+        let known = self.last.take().filter(|(specification, _)| *specification == key);
+        let (_, design) = self.last.insert(known.unwrap_or_else(|| (key, key.design_directly())));
+        let design = design.clone();
+        match scaled {
+            Some((_, frequency)) => design.map(|design| design.at_frequency(frequency)),
+            None => design,
+        }
     }
 }

@@ -4,8 +4,9 @@ use std::error::Error;
 use std::fmt;
 
 use crate::{
-    Band, CompensatedError, CompensatedForm, Design, DesignError, Kind, MinimumImpulseError, Mode, ShaperError,
-    SpecifiedError, TimeConstant, compensated, convolve, design, minimum_impulse_solution, specified_insensitivity,
+    Band, CompensatedError, CompensatedForm, Design, DesignError, Kind, LimitedError, MinimumImpulseError, Mode, Ramp,
+    ShaperError, SpecifiedError, TimeConstant, compensated, convolve, design, limited, minimum_impulse_solution,
+    specified_insensitivity,
 };
 
 /// All that a design can depend on. Each kind looks at what it needs and at nothing else.
@@ -29,6 +30,10 @@ pub struct Specification {
     pub vibration_limit: f64,
     /// Insensitivity I of `SI`: the full width of the range of frequencies in which V stays below the limit, over the mode's frequency.
     pub insensitivity: f64,
+    /// Acceleration limit of the drive of `ALZVD` and `ALEI`, a; infinite for none.
+    pub acceleration_limit: f64,
+    /// The change of the command that `ALZVD` and `ALEI` are designed for, v_f.
+    pub velocity_limit: f64,
     /// Time constant τ_a with which the drive of `UMZVc` speeds up, in seconds.
     pub acceleration_time_constant: f64,
     /// Time constant τ_b with which the drive of `UMZVc` slows down, in seconds.
@@ -40,7 +45,7 @@ pub struct Specification {
 }
 
 impl Specification {
-    /// A kind for one mode, with 5 % of vibration allowed, for SI within ±20 % of the frequency, for a drive without lag; if a second mode is added, ZV for
+    /// A kind for one mode, with 5 % of vibration allowed, for SI within ±20 % of the frequency, for a drive without lag and limit; if a second mode is added, ZV for
     /// each, or the shortest solution.
     #[must_use]
     pub fn new(kind: Kind, mode: Mode) -> Self {
@@ -49,6 +54,8 @@ impl Specification {
             modes: [Some(mode), None],
             vibration_limit: 0.05,
             insensitivity: 0.4,
+            acceleration_limit: f64::INFINITY,
+            velocity_limit: 1.0,
             acceleration_time_constant: 0.0,
             braking_time_constant: 0.0,
             base_kinds: [Kind::ZV; 2],
@@ -81,6 +88,8 @@ impl Specification {
                 let both = compensated(self.only_mode()?, tau_a, tau_b, CompensatedForm::ExactRamp)?;
                 Ok(Design::of_both(both.accelerating, both.braking))
             }
+            Kind::ALZVD => self.limited(0.0),
+            Kind::ALEI => self.limited(self.vibration_limit),
             Kind::Convolved => {
                 let [first, second] = [self.base(0)?, self.base(1)?];
                 Ok(convolve(first.shaper(), second.shaper()).map_err(SpecificationError::Convolved)?.into())
@@ -99,6 +108,11 @@ impl Specification {
             }
             _ => None,
         }
+    }
+
+    fn limited(&self, vibration_limit: f64) -> Result<Design, SpecificationError> {
+        let ramp = Ramp::new(self.velocity_limit, self.acceleration_limit)?;
+        Ok(Design::alone(limited(self.only_mode()?, ramp, vibration_limit)?.shaper().clone()))
     }
 
     /// The design of one mode that `Convolved` is made of.
@@ -140,6 +154,10 @@ pub enum Quantity {
     VibrationLimit,
     /// [`Specification::insensitivity`].
     Insensitivity,
+    /// [`Specification::acceleration_limit`].
+    AccelerationLimit,
+    /// [`Specification::velocity_limit`].
+    VelocityLimit,
     /// [`Specification::acceleration_time_constant`].
     AccelerationTimeConstant,
     /// [`Specification::braking_time_constant`].
@@ -186,6 +204,8 @@ pub enum SpecificationError {
         /// Of which mode, from 0.
         mode: usize,
     },
+    /// There is no such shaper for the acceleration limit.
+    Limited(LimitedError),
     /// There is no UMZVc shaper.
     Compensated(CompensatedError),
     /// The two shapers have no train in series.
@@ -206,6 +226,13 @@ impl SpecificationError {
                 DesignError::Kind { .. } => Quantity::Kind,
                 DesignError::VibrationLimit { .. } => Quantity::VibrationLimit,
                 DesignError::NoSolution { .. } => Quantity::DampingRatio(*mode),
+            },
+            Self::Limited(error) => match error {
+                LimitedError::Acceleration { .. } => Quantity::AccelerationLimit,
+                LimitedError::Speed { .. } | LimitedError::TooSlow { .. } | LimitedError::NoPulses { .. } => {
+                    Quantity::VelocityLimit
+                }
+                LimitedError::VibrationLimit { .. } | LimitedError::Damping { .. } => Quantity::VibrationLimit,
             },
             Self::Compensated(error) => match error {
                 CompensatedError::Unity(_) => Quantity::DampingRatio(0),
@@ -252,6 +279,7 @@ impl fmt::Display for SpecificationError {
             }
             Self::Design { error, .. } => error.fmt(f),
             Self::Specified { error, .. } => error.fmt(f),
+            Self::Limited(error) => error.fmt(f),
             Self::Compensated(error) => error.fmt(f),
             Self::Convolved(error) => write!(f, "{error}; convolve kinds with fewer impulses"),
             Self::MinimumImpulse(error) => error.fmt(f),
@@ -270,6 +298,12 @@ impl From<DesignError> for SpecificationError {
 impl From<SpecifiedError> for SpecificationError {
     fn from(error: SpecifiedError) -> Self {
         Self::Specified { error, mode: 0 }
+    }
+}
+
+impl From<LimitedError> for SpecificationError {
+    fn from(error: LimitedError) -> Self {
+        Self::Limited(error)
     }
 }
 

@@ -1,7 +1,7 @@
 //! The one door: it gives what the functions behind it give, and says what to change where it gives nothing.
 
 use swayless_shaping::{
-    Band, CompensatedForm, Designer, Kind, Quantity, Specification, compensated, convolve, design,
+    Band, CompensatedForm, Designer, Kind, Quantity, Ramp, Specification, compensated, convolve, design, limited,
     minimum_impulse_solution, specified_insensitivity,
 };
 
@@ -20,6 +20,21 @@ fn si_is_designed_around_the_mode() {
     let wanted = Specification { insensitivity: 0.3, ..Specification::new(Kind::SI, mode(1.7, 0.01)) };
     let direct = specified_insensitivity(Band::around(1.7, 0.3).unwrap(), 0.01, 0.05).unwrap();
     assert!(distance(wanted.design().unwrap().shaper(), &direct) < 1e-8);
+}
+
+#[test]
+fn limited_shapers_are_designed_for_a_step() {
+    for (kind, limit) in [(Kind::ALZVD, 0.0), (Kind::ALEI, 0.05)] {
+        let wanted = Specification {
+            acceleration_limit: 0.12,
+            velocity_limit: 0.358,
+            ..Specification::new(kind, mode(1.76, 0.01))
+        };
+        let design = wanted.design().unwrap();
+        let direct = limited(mode(1.76, 0.01), Ramp::new(0.358, 0.12).unwrap(), limit).unwrap();
+        assert_eq!(design.shaper(), direct.shaper());
+        assert!(!design.adds_up() && design.braking().is_none());
+    }
 }
 
 #[test]
