@@ -20,14 +20,16 @@
 //! J. Danielson, *Mobile Boom Cranes and Advanced Input Shaping Control*, Georgia Institute of Technology, 2008.
 //! [`specified_insensitivity`] gives the shortest shaper for a whole range of frequencies, [`compensated`] the pair of trains for
 //! a drive that accelerates and brakes with unequal time constants, and [`limited`] trains for a drive with an acceleration limit.
-//! For two modes, [`convolve`] puts a shaper
-//! for each in series, and [`minimum_impulse`] lists the trains of three impulses that do with less.
+//! [`predict`] says what remains behind a drive that a shaper was not designed for, [`ramped_vibration`] what an acceleration limit
+//! does to it. For two modes, [`convolve`] puts a shaper for each in series, and [`minimum_impulse`] lists the trains of three
+//! impulses that do with less.
 //! Nothing in a [`design`] allocates: it may be renewed inside a simulation step.
 
 mod analysis;
 mod binomial;
 mod compensated;
 mod convolution;
+mod degradation;
 mod design;
 mod designed;
 mod differences;
@@ -40,6 +42,7 @@ mod limited;
 mod minimum_impulse;
 mod mode;
 mod pendulum;
+mod prediction;
 mod shaper;
 mod specification;
 mod specified;
@@ -52,6 +55,7 @@ pub use compensated::{
     compensation_exists, pulse_length,
 };
 pub use convolution::convolve;
+pub use degradation::{NotInterchangeable, command_duration, interchangeable, longest_ramp, ramped_vibration};
 pub use design::{Kind, design};
 pub use designed::{Design, Designer};
 pub use error::{DesignError, ModeError, ShaperError};
@@ -60,6 +64,7 @@ pub use limited::{Limited, LimitedError, Ramp, limited};
 pub use minimum_impulse::{MinimumImpulse, MinimumImpulseError, minimum_impulse, minimum_impulse_solution};
 pub use mode::Mode;
 pub use pendulum::{double_pendulum, pendulum};
+pub use prediction::{Drive, DriveError, Prediction, predict, residual_amplitude};
 pub use shaper::{Impulse, MAX_IMPULSES, Shaper};
 pub use specification::{Quantity, Specification, SpecificationError};
 pub use specified::{SpecifiedError, specified_insensitivity};

@@ -2,6 +2,7 @@
 
 mod closed_forms;
 mod compensated;
+mod drives;
 mod extra_insensitive;
 mod humps;
 mod limited;
