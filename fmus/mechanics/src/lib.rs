@@ -4,6 +4,7 @@
 //! velocity across the cable **w**; a crane is only the map from its joint rates to its pivot's velocity.
 
 mod boom;
+mod cartesian;
 mod double_payload;
 mod jib;
 mod limit;
@@ -11,11 +12,13 @@ mod luff_force;
 mod luffing;
 mod mode;
 mod payload;
+mod saturation;
 mod swing;
 mod vehicle;
 mod vertical;
 
 pub use boom::{Boom, BoomAccelerations, BoomRates};
+pub use cartesian::{AXES, Axis, AxisRates, Machine, Margin, Pace, RateRange};
 pub use double_payload::{DoublePayload, DoubleSuspension, DoubleVelocity};
 pub use jib::{Jib, JibRates};
 pub use limit::Limits;
@@ -23,6 +26,7 @@ pub use luff_force::{Hanging, LuffLoad};
 pub use luffing::{DEAD_ANGLE, Luffing, Motion, Rigging, Rope};
 pub use mode::{Mode, ModeState};
 pub use payload::{Payload, Suspension};
+pub use saturation::{Restraint, Saturated, Scaling};
 pub use swing::{Swing, SwingFrame};
 pub use vehicle::{Driving, Vehicle, VehicleRates};
 pub use vertical::{CounterweightRig, FASTEST_BRAKING, VerticalPendulum};

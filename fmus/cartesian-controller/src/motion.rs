@@ -1,0 +1,149 @@
+//! What moves the load as it is commanded: the crane as the controller sees it, and the rates of its axes.
+
+use swayless_crane::{are_physical, cut};
+use swayless_mechanics::{
+    Axis, AxisRates, Machine as Crane, Margin, Pace, Restraint, Rigging, Saturated, Scaling as Together, Vector,
+};
+
+use crate::variables::{Frame, Inputs, Machine, Parameters, Scaling};
+
+/// No joint is farther (m).
+const FARTHEST: f64 = 1e4;
+/// No boom is shorter (m).
+const SHORTEST: f64 = 1e-3;
+/// No angle is greater (rad).
+const MOST_TURNED: f64 = 1e6;
+/// No component of a velocity is a smaller share of it, but 0: what rounding leaves where x and y are turned into the
+/// crane's directions is no motion towards a singular position.
+const NOTHING: f64 = 1e-12;
+
+/// The positions of the joints, and the yaw of what the crane stands on.
+#[derive(Clone, Copy)]
+pub struct Joints {
+    slew: f64,
+    luff: f64,
+    radius: f64,
+    length: f64,
+    yaw: f64,
+}
+
+fn cut_angle(angle: f64) -> f64 {
+    angle.clamp(-MOST_TURNED, MOST_TURNED)
+}
+
+impl Joints {
+    /// As they are measured.
+    pub fn measured(p: &Parameters<f64>, u: &Inputs<f64>) -> Self {
+        Self {
+            slew: cut_angle(u.slew.angle),
+            luff: cut_angle(u.luff.angle),
+            radius: u.trolley.radius.clamp(0.0, FARTHEST),
+            length: (p.boom.length + u.extension.length).clamp(SHORTEST, FARTHEST),
+            yaw: cut_angle(u.base.yaw),
+        }
+    }
+
+    /// After each axis has gone a way, and the base has turned by an angle.
+    #[must_use]
+    pub fn moved(self, way: impl Fn(Axis) -> f64, yaw: f64) -> Self {
+        Self {
+            slew: self.slew + way(Axis::Slew),
+            luff: self.luff + way(Axis::Luff),
+            radius: (self.radius + way(Axis::Trolley)).clamp(0.0, FARTHEST),
+            length: (self.length + way(Axis::Extension)).clamp(SHORTEST, FARTHEST),
+            yaw: self.yaw + yaw,
+        }
+    }
+
+    /// The crane with its joints there.
+    fn crane(&self, p: &Parameters<f64>) -> Crane {
+        let Self { luff, length, radius, .. } = *self;
+        match p.machine {
+            Machine::Boom => Crane::Boom { length, luff, ropes: self.rigging(p).at(luff) },
+            Machine::Tower => Crane::Tower { radius },
+            Machine::BoomLift => Crane::BoomLift { length, luff },
+        }
+    }
+
+    fn rigging(&self, p: &Parameters<f64>) -> Rigging<f64> {
+        let (jib, sheave) = (p.jib.length, p.hoist_sheave.distance);
+        Rigging { boom: self.length, jib, sheave, jib_angle: p.jib.angle }
+    }
+
+    /// Whether the crane is close to a singular position.
+    pub fn are_singular(&self, p: &Parameters<f64>) -> bool {
+        let in_line = || self.rigging(p).from_dead_angles(self.luff).iter().any(|way| *way <= 0.0);
+        self.crane(p).clearance(margin(p)) < 1.0 || (p.machine == Machine::Boom && in_line())
+    }
+}
+
+fn margin(p: &Parameters<f64>) -> Margin {
+    Margin { luff: p.singularity_margin, radius: p.trolley.singularity_margin }
+}
+
+/// How fast each axis may be.
+fn limits(p: &Parameters<f64>) -> AxisRates {
+    let mut limits = AxisRates::zeros();
+    for (axis, limit) in [
+        (Axis::Slew, p.slew.rate_limit),
+        (Axis::Luff, p.luff.rate_limit),
+        (Axis::Hoist, p.hoist.rate_limit),
+        (Axis::Trolley, p.trolley.rate_limit),
+        (Axis::Extension, p.extension.rate_limit),
+        (Axis::LuffLine, p.luff.line_speed_limit),
+        (Axis::HoistLine, p.hoist.line_speed_limit),
+    ] {
+        limits[axis as usize] = limit;
+    }
+    limits
+}
+
+/// A horizontal velocity in directions that are turned by an angle (rad) against its own.
+fn seen_from(angle: f64, [x, y]: [f64; 2], up: f64) -> Vector<f64> {
+    let (sin, cos) = angle.sin_cos();
+    let nothing = NOTHING * x.hypot(y);
+    let [radial, tangential] = [x * cos + y * sin, y * cos - x * sin].map(|v| if v.abs() <= nothing { 0.0 } else { v });
+    Vector::new(radial, tangential, up)
+}
+
+/// The rates that give the load its velocity with the joints there.
+///
+/// The slewing axis moves with v_base + a ψ̇ b₂. Relative to it, and in directions that are turned by ψ + θ, a load at the
+/// distance R moves with Ṙ along and R (ψ̇ + θ̇) across. So the base's motion is made up for by T(−v_base − a ψ̇ b₂) and
+/// θ̇ = −ψ̇, and goes before: of the command there is what fits beside it.
+pub fn rates(p: &Parameters<f64>, u: &Inputs<f64>, joints: Joints) -> Saturated {
+    let crane = joints.crane(p);
+    let direction = joints.yaw + joints.slew;
+    let from = match p.frame {
+        Frame::World => direction,
+        Frame::Crane => 0.0,
+        Frame::Ground => direction - cut_angle(u.operator.heading),
+    };
+    let [x, y, up] = [u.velocity.x, u.velocity.y, u.velocity.z].map(cut);
+    let [base_x, base_y, yaw_rate] = [u.base.velocity.x, u.base.velocity.y, u.base.yaw_rate].map(cut);
+    let (sin, cos) = joints.yaw.sin_cos();
+    let carried = p.boom.offset * yaw_rate;
+    let axis = [base_x - carried * sin, base_y + carried * cos];
+
+    let mut first = crane.rates(-seen_from(direction, axis, 0.0));
+    first[Axis::Slew as usize] -= yaw_rate;
+    let second = crane.rates(seen_from(from, [x, y], up));
+    let pace = Pace { horizontal: axis[0].hypot(axis[1]) + x.hypot(y), vertical: up, yaw: yaw_rate };
+    let scaling = match p.scaling {
+        Scaling::Uniform => Together::Uniform,
+        Scaling::Thesis => Together::WithoutHoist,
+    };
+    crane.saturate([first, second], pace, &Restraint { limits: limits(p), margin: margin(p), scaling })
+}
+
+/// Whether no input is cut.
+pub fn is_physical(p: &Parameters<f64>, u: &Inputs<f64>) -> bool {
+    let rates = [u.velocity.x, u.velocity.y, u.velocity.z, u.base.velocity.x, u.base.velocity.y, u.base.yaw_rate];
+    let angles = [u.slew.angle, u.luff.angle, u.base.yaw, u.operator.heading];
+    let length = p.boom.length + u.extension.length;
+    let reach = match p.machine {
+        Machine::Tower => (0.0..=FARTHEST).contains(&u.trolley.radius),
+        Machine::Boom | Machine::BoomLift => (SHORTEST..=FARTHEST).contains(&length),
+    };
+    reach && are_physical(&rates) && angles.iter().all(|angle| angle.abs() <= MOST_TURNED)
+}

@@ -1,0 +1,405 @@
+//! From the velocity of a load to the rates of the joints that give it (thesis 3.1, 3.2 and 3.5): T of a boom crane (3.6),
+//! of a tower crane (3.22) and of a boom lift (3.23, corrected), and V·T with the speeds of the ropes (3.14).
+//!
+//! The velocity is one in the crane's own directions – radial, tangential, upwards – relative to the slewing axis. At a
+//! singular position some velocity would take an infinite rate; near to one, [`Machine::ranges`] says what is left.
+
+use crate::{Luffing, Vector};
+
+/// What a crane moves by. Ropes do what luff and hoist do, by another drive.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(missing_docs, reason = "the names say it")]
+pub enum Axis {
+    Slew,
+    Luff,
+    Hoist,
+    Trolley,
+    Extension,
+    /// The luff line; positive reels in.
+    LuffLine,
+    /// The hoist line; positive pays out.
+    HoistLine,
+}
+
+/// How many kinds of axes there are.
+pub const AXES: usize = 7;
+
+/// A rate of each [`Axis`] (rad/s, m/s), 0 where a machine has none.
+pub type AxisRates = nalgebra::SVector<f64, AXES>;
+
+/// Between which rates an axis can move, 0 among them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RateRange {
+    /// The least rate, not positive.
+    pub min: f64,
+    /// The greatest rate, not negative.
+    pub max: f64,
+}
+
+impl RateRange {
+    /// As fast in both directions.
+    pub fn either_way(limit: f64) -> Self {
+        Self { min: -limit, max: limit }
+    }
+
+    /// Not faster than `limit` either way.
+    #[must_use]
+    fn within(self, limit: f64) -> Self {
+        Self { min: self.min.max(-limit), max: self.max.min(limit) }
+    }
+
+    /// With a share only of the speed in the direction of `sign`.
+    #[must_use]
+    fn slowed(self, sign: f64, share: f64) -> Self {
+        if sign > 0.0 { Self { max: self.max * share, ..self } } else { Self { min: self.min * share, ..self } }
+    }
+}
+
+/// How close to a singular position a machine slows down.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Margin {
+    /// From a singular luff angle (rad); above 0, below 45°.
+    pub luff: f64,
+    /// From the slewing axis, of a trolley (m); above 0.
+    pub radius: f64,
+}
+
+/// How fast the load and the slewing axis move, which bounds what rates make sense near a singular position.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pace {
+    /// Horizontal speed asked for, against what the axis stands on (m/s).
+    pub horizontal: f64,
+    /// Vertical speed asked for (m/s).
+    pub vertical: f64,
+    /// Yaw rate of what the axis stands on (rad/s).
+    pub yaw: f64,
+}
+
+/// A crane as far as a velocity of its load is concerned: where its joints are.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Machine {
+    /// A boom from whose tip a load hangs.
+    Boom {
+        /// r, length of the boom (m).
+        length: f64,
+        /// γ, its angle above the horizontal (rad).
+        luff: f64,
+        /// Its ropes at that angle.
+        ropes: Luffing<f64>,
+    },
+    /// A trolley on a jib, from which a load hangs.
+    Tower {
+        /// R, from the slewing axis (m).
+        radius: f64,
+    },
+    /// A boom that extends and has its load at its tip.
+    BoomLift {
+        /// r + ρ, length of the boom with its extension (m).
+        length: f64,
+        /// γ, its angle above the horizontal (rad).
+        luff: f64,
+    },
+}
+
+/// The least magnitude of what is divided by: at a singular position the map is that of one right beside it.
+const LEAST: f64 = 1e-12;
+
+/// A number, but not 0.
+fn off_zero(x: f64) -> f64 {
+    if x < 0.0 { x.min(-LEAST) } else { x.max(LEAST) }
+}
+
+/// An axis' place among rates.
+const fn of(axis: Axis) -> usize {
+    axis as usize
+}
+
+impl Machine {
+    /// The rates that move the load with a velocity (m/s; radial, tangential, upwards) relative to the slewing axis.
+    ///
+    /// - Boom: γ̇ = −v_r/(r sin γ), θ̇ = v_t/(r cos γ), ℓ̇ = r cos γ γ̇ − v_z (3.6); −Ċ = c γ̇, L̇ = ℓ̇ − a γ̇ (3.12).
+    /// - Tower: Ṙ = v_r, θ̇ = v_t/R, ℓ̇ = −v_z (3.22).
+    /// - Boom lift: ρ̇ = cos γ v_r + sin γ v_z, γ̇ = (cos γ v_z − sin γ v_r)/(r + ρ), θ̇ = v_t/((r + ρ) cos γ) (3.23,
+    ///   corrected).
+    pub fn rates(&self, velocity: Vector<f64>) -> AxisRates {
+        let [radial, tangential, up] = velocity.into();
+        let mut rates = AxisRates::zeros();
+        match *self {
+            Self::Boom { length, luff, ropes } => {
+                let (sin, cos) = luff.sin_cos();
+                let luffing = -radial / (length * off_zero(sin));
+                rates[of(Axis::Luff)] = luffing;
+                rates[of(Axis::Slew)] = tangential / (length * off_zero(cos));
+                rates[of(Axis::Hoist)] = length * cos * luffing - up;
+                rates[of(Axis::LuffLine)] = ropes.luff_line.arm * luffing;
+                rates[of(Axis::HoistLine)] = rates[of(Axis::Hoist)] - ropes.hoist_line.arm * luffing;
+            }
+            Self::Tower { radius } => {
+                rates[of(Axis::Trolley)] = radial;
+                rates[of(Axis::Slew)] = tangential / off_zero(radius);
+                rates[of(Axis::Hoist)] = -up;
+            }
+            Self::BoomLift { length, luff } => {
+                let (sin, cos) = luff.sin_cos();
+                rates[of(Axis::Extension)] = cos * radial + sin * up;
+                rates[of(Axis::Luff)] = (cos * up - sin * radial) / length;
+                rates[of(Axis::Slew)] = tangential / (length * off_zero(cos));
+            }
+        }
+        rates
+    }
+
+    /// How far it is from the nearest singular position, as a share of the margin; 1 where that is out of the margin.
+    pub fn clearance(&self, margin: Margin) -> f64 {
+        let way = match *self {
+            Self::Boom { luff, .. } => from_horizontal(luff).0.min(from_upright(luff).0) / margin.luff,
+            Self::BoomLift { luff, .. } => from_upright(luff).0 / margin.luff,
+            Self::Tower { radius } => radius / margin.radius,
+        };
+        way.min(1.0)
+    }
+
+    /// Between which rates its axes can move, with what each could do elsewhere.
+    ///
+    /// No rate gets greater than at the margin: within, the load moves slower instead. And what brings the machine closer
+    /// to a singular position gets slower on its way and stops there; what leads away from it goes on.
+    pub fn ranges(&self, limits: &AxisRates, pace: Pace, margin: Margin) -> [RateRange; AXES] {
+        let mut ranges: [RateRange; AXES] = core::array::from_fn(|axis| RateRange::either_way(limits[axis]));
+        let share = |way: f64, margin: f64| (way / margin).min(1.0);
+        let (slew, luff, trolley) = (of(Axis::Slew), of(Axis::Luff), of(Axis::Trolley));
+        match *self {
+            Self::Boom { length, luff: angle, .. } => {
+                let most = pace.horizontal / (length * margin.luff.sin());
+                ranges[slew] = ranges[slew].within(most + pace.yaw.abs());
+                let (low, up) = from_horizontal(angle);
+                let (high, down) = from_upright(angle);
+                // Towards the upright the luff rate needs no bound other than its own.
+                let most = if high < margin.luff { pace.horizontal / (length * angle.sin().abs()) } else { most };
+                ranges[luff] = ranges[luff]
+                    .within(most)
+                    .slowed(-up, share(low, margin.luff))
+                    .slowed(-down, share(high, margin.luff));
+            }
+            Self::Tower { radius } => {
+                ranges[slew] = ranges[slew].within(pace.horizontal / margin.radius + pace.yaw.abs());
+                if radius < margin.radius {
+                    ranges[trolley] =
+                        ranges[trolley].within(pace.horizontal).slowed(-1.0, share(radius, margin.radius));
+                }
+            }
+            Self::BoomLift { length, luff: angle } => {
+                let most = pace.horizontal / (length * margin.luff.sin());
+                ranges[slew] = ranges[slew].within(most + pace.yaw.abs());
+                let (high, down) = from_upright(angle);
+                if high < margin.luff {
+                    ranges[luff] = ranges[luff]
+                        .within(pace.horizontal.hypot(pace.vertical) / length)
+                        .slowed(-down, share(high, margin.luff));
+                }
+            }
+        }
+        ranges
+    }
+}
+
+/// How far a luff angle is from horizontal (rad), and the sign of the rate that leads away from it.
+fn from_horizontal(luff: f64) -> (f64, f64) {
+    let (sin, cos) = luff.sin_cos();
+    (sin.abs().asin(), off_zero(sin).signum() * off_zero(cos).signum())
+}
+
+/// How far a luff angle is from upright (rad), and the sign of the rate that leads away from it.
+fn from_upright(luff: f64) -> (f64, f64) {
+    let (sin, cos) = luff.sin_cos();
+    (cos.abs().asin(), -off_zero(sin).signum() * off_zero(cos).signum())
+}
+
+#[cfg(test)]
+mod tests {
+    use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+
+    use nalgebra::Matrix3;
+    use swayless_scalar::Dual;
+
+    use super::*;
+    use crate::{Boom, BoomRates, Jib, JibRates, Rigging, SwingFrame};
+
+    const MARGIN: Margin = Margin { luff: 0.05, radius: 0.5 };
+    /// Table 2.3.
+    const RIG: Rigging<f64> = Rigging { boom: 0.89, jib: 0.33, sheave: 0.29, jib_angle: 137.0 * PI / 180.0 };
+
+    fn boom(length: f64, luff: f64) -> Machine {
+        Machine::Boom { length, luff, ropes: Rigging { boom: length, ..RIG }.at(luff) }
+    }
+
+    /// The rates of some axes for unit velocities along the world's x, y and z, as the columns of a matrix.
+    fn matrix(machine: &Machine, slew: f64, axes: [Axis; 3]) -> Matrix3<f64> {
+        let (sin, cos) = slew.sin_cos();
+        // x, y and z as radial, tangential and upwards.
+        let units = [Vector::new(cos, -sin, 0.0), Vector::new(sin, cos, 0.0), Vector::new(0.0, 0.0, 1.0)];
+        let rates = units.map(|unit| machine.rates(unit));
+        Matrix3::from_fn(|row, column| rates[column][axes[row] as usize])
+    }
+
+    /// (3.14) at γ = 45°, θ = 30° on the rig of Table 2.3, in the thesis's order and signs: Ċ, θ̇, L̇.
+    #[test]
+    fn the_rig_has_the_thesis_matrix() {
+        let found = matrix(&boom(0.89, FRAC_PI_4), PI / 6.0, [Axis::LuffLine, Axis::Slew, Axis::HoistLine]);
+        // Here the luff line is reeled in, −Ċ.
+        let found = Matrix3::from_diagonal(&Vector::new(-1.0, 1.0, 1.0)) * found;
+        let wanted = Matrix3::new(
+            0.420_772_421_150_611_3,
+            0.242_933_070_618_876,
+            0.0,
+            -0.794_502_001_333_199_4,
+            1.376_117_833_024_257_4,
+            0.0,
+            -0.490_656_768_139_853_37,
+            -0.283_280_817_165_256_1,
+            -1.0,
+        );
+        assert!((found - wanted).abs().max() < 1e-14, "{found}");
+    }
+
+    /// (3.6), (3.22) and (3.23), the last corrected, as they are written.
+    #[test]
+    fn the_maps_are_those_of_the_thesis() {
+        let (r, gamma, theta) = (18.0, 0.7_f64, 2.1_f64);
+        let ((sin, cos), (s, c)) = (gamma.sin_cos(), theta.sin_cos());
+        let found = matrix(&boom(r, gamma), theta, [Axis::Luff, Axis::Slew, Axis::Hoist]);
+        let tan = gamma.tan();
+        let wanted = Matrix3::new(
+            -c / (r * sin),
+            -s / (r * sin),
+            0.0,
+            -s / (r * cos),
+            c / (r * cos),
+            0.0,
+            -c / tan,
+            -s / tan,
+            -1.0,
+        );
+        assert!((found - wanted).abs().max() < 1e-15, "{found}");
+        let found = matrix(&Machine::Tower { radius: r }, theta, [Axis::Trolley, Axis::Slew, Axis::Hoist]);
+        let wanted = Matrix3::new(c, s, 0.0, -s / r, c / r, 0.0, 0.0, 0.0, -1.0);
+        assert!((found - wanted).abs().max() < 1e-15, "{found}");
+        let lift = Machine::BoomLift { length: r, luff: gamma };
+        let found = matrix(&lift, theta, [Axis::Extension, Axis::Slew, Axis::Luff]);
+        let wanted = Matrix3::new(
+            cos * c,
+            cos * s,
+            sin,
+            -s / (r * cos),
+            c / (r * cos),
+            0.0,
+            -sin * c / r,
+            -sin * s / r,
+            cos / r,
+        );
+        assert!((found - wanted).abs().max() < 1e-15, "{found}");
+    }
+
+    /// Some joint values, all over: luff, slew, length or radius.
+    fn places() -> impl Iterator<Item = [f64; 3]> {
+        (0..60).map(|i| {
+            let i = f64::from(i);
+            let angle = -3.0 + 0.097 * i;
+            // No closer to a multiple of 90° than 0.01.
+            let off = if (angle / FRAC_PI_2 - (angle / FRAC_PI_2).round()).abs() < 0.01 { 0.02 } else { 0.0 };
+            [angle + off, 1.3 * i, 0.5 + 0.7 * i]
+        })
+    }
+
+    /// T times the exact derivatives of the plants' own kinematics is the unit matrix.
+    #[test]
+    fn the_maps_are_the_inverse_of_the_kinematics() {
+        let dual = |at: f64, moves: bool| Dual::new(at, f64::from(u8::from(moves)));
+        let mut worst = 0.0_f64;
+        for [luff, slew, length] in places() {
+            // One column for each joint: the velocity of the load when that joint has rate 1.
+            let tip = |joint: usize, hoists: bool| {
+                let base = Boom {
+                    base: [Dual::from(0.0); 2],
+                    yaw: Dual::from(0.0),
+                    slew: dual(slew, joint == 1),
+                    luff: dual(luff, joint == 0),
+                    length: dual(length, joint == 2 && !hoists),
+                    offset: Dual::from(0.0),
+                    height: Dual::from(1.5),
+                };
+                let tip = base.tip(&SwingFrame::new(base.slew, Dual::from(0.0))).map(|x| x.tangent);
+                // The load hangs below.
+                tip - Vector::new(0.0, 0.0, f64::from(u8::from(joint == 2 && hoists)))
+            };
+            let columns = |hoists| Matrix3::from_columns(&[tip(0, hoists), tip(1, hoists), tip(2, hoists)]);
+            let error = |found: Matrix3<f64>| (found - Matrix3::identity()).abs().max();
+            let found = matrix(&boom(length, luff), slew, [Axis::Luff, Axis::Slew, Axis::Hoist]) * columns(true);
+            worst = worst.max(error(found));
+            let lift = Machine::BoomLift { length, luff };
+            worst = worst.max(error(matrix(&lift, slew, [Axis::Luff, Axis::Slew, Axis::Extension]) * columns(false)));
+
+            let trolley = |joint: usize| {
+                let jib =
+                    Jib { height: Dual::from(40.0), slew: dual(slew, joint == 1), radius: dual(length, joint == 0) };
+                let rates = JibRates { slew: Dual::from(0.0), radius: Dual::from(0.0) };
+                jib.trolley(&jib.swing_frame(&rates)).map(|x| x.tangent)
+            };
+            let columns = Matrix3::from_columns(&[trolley(0), trolley(1), Vector::new(0.0, 0.0, -1.0)]);
+            let tower = Machine::Tower { radius: length };
+            worst = worst.max(error(matrix(&tower, slew, [Axis::Trolley, Axis::Slew, Axis::Hoist]) * columns));
+        }
+        // Rounding, times at most the 100 that 0.01 from a singular angle costs.
+        assert!(worst < 1e-12, "{worst}");
+    }
+
+    /// The base's motion as well: T of the velocity of the load relative to the slewing axis, and less yaw rate.
+    #[test]
+    fn a_moving_base_is_made_up_for() {
+        for [luff, slew, length] in places() {
+            let (yaw, offset) = (0.4 * slew, 1.2);
+            let base = Boom { base: [3.0, -2.0], yaw, slew, luff, length, offset, height: 1.5 };
+            let (base_velocity, yaw_rate) = ([0.7, -0.3], 0.11);
+            let axis = Vector::new(
+                base_velocity[0] - offset * yaw_rate * yaw.sin(),
+                base_velocity[1] + offset * yaw_rate * yaw.cos(),
+                0.0,
+            );
+            let still = SwingFrame::new(yaw + slew, 0.0);
+            let (radial, tangential) = (-axis.dot(&still.radial()), -axis.dot(&still.tangential()));
+            let rates = boom(length, luff).rates(Vector::new(radial, tangential, 0.0));
+            let rates = BoomRates {
+                base: base_velocity,
+                yaw: yaw_rate,
+                slew: rates[Axis::Slew as usize] - yaw_rate,
+                luff: rates[Axis::Luff as usize],
+                length: 0.0,
+            };
+            let tip = base.tip_velocity(&base.swing_frame(&rates), &rates);
+            assert!(tip.x.hypot(tip.y) < 1e-13, "{tip}");
+        }
+    }
+
+    #[test]
+    fn away_from_singular_positions_nothing_is_slower() {
+        let limits = AxisRates::repeat(0.3);
+        let pace = Pace { horizontal: 5.0, vertical: 1.0, yaw: 0.2 };
+        for [luff, _, length] in places() {
+            let lift = Machine::BoomLift { length, luff };
+            let tower = Machine::Tower { radius: length };
+            for machine in [boom(length, luff), lift, tower] {
+                if machine.clearance(MARGIN) < 1.0 {
+                    continue;
+                }
+                for velocity in [[5.0, 0.0, 1.0], [-3.0, 4.0, -1.0], [0.0, -5.0, 0.0]].map(Vector::from) {
+                    let free = machine.ranges(&AxisRates::repeat(f64::INFINITY), pace, MARGIN);
+                    let rates = machine.rates(velocity);
+                    let fits = |axis: usize| free[axis].min <= rates[axis] && rates[axis] <= free[axis].max;
+                    // At the margin itself both are the same but for rounding.
+                    assert!((0..AXES).all(|axis| fits(axis) || rates[axis].abs() < 1.0001 * free[axis].max));
+                    let ranges = machine.ranges(&limits, pace, MARGIN);
+                    assert!((0..AXES).all(|axis| ranges[axis].max <= 0.3 && ranges[axis].min >= -0.3));
+                }
+            }
+        }
+    }
+}
