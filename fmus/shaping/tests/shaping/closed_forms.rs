@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use swayless_shaping::{Kind, Shaper, design};
+use swayless_shaping::{Kind, Shaper, design, residual_vibration};
 
 use crate::{designed, distance, mode, shaper};
 
@@ -84,4 +84,21 @@ fn nothing_jumps_where_damping_begins() {
 fn no_shaping_is_one_impulse() {
     assert_eq!(designed(Kind::None, 3.0, 0.1), Shaper::unshaped());
     assert_eq!((Shaper::unshaped().duration(), Shaper::unshaped().sum()), (0.0, 1.0));
+}
+
+/// Without damping UMZV leaves V = |2cos(kπ/3) − 1| of the k-th multiple of its frequency: nothing where k is 6n ± 1, and three times
+/// what no shaping leaves where it is an odd multiple of 3 — of the ninth, too, which thesis 5.3.3 has among those it cancels.
+#[test]
+fn harmonics_of_unity_magnitude() {
+    let umzv = designed(Kind::UMZV, 1.3, 0.0);
+    for multiple in 1..=27_u32 {
+        let left = residual_vibration(&umzv, 1.3 * f64::from(multiple), 0.0);
+        let expected = match multiple % 6 {
+            1 | 5 => 0.0,
+            3 => 3.0,
+            2 | 4 => 2.0,
+            _ => 1.0,
+        };
+        assert!((left - expected).abs() < 1e-12, "{multiple}: {left}");
+    }
 }
