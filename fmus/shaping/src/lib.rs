@@ -67,5 +67,5 @@ pub use pendulum::{double_pendulum, pendulum};
 pub use prediction::{Drive, DriveError, Prediction, predict, residual_amplitude};
 pub use shaper::{Impulse, MAX_IMPULSES, Shaper};
 pub use specification::{Quantity, Specification, SpecificationError};
-pub use specified::{SpecifiedError, specified_insensitivity};
+pub use specified::{SpecifiedError, specified_insensitivity, specified_insensitivity_of};
 pub use train::{Pending, Trains};

@@ -259,11 +259,13 @@ impl SpecificationError {
             Self::Specified { error, mode } => match error {
                 SpecifiedError::Mode(_) | SpecifiedError::Waiting => Quantity::DampingRatio(*mode),
                 SpecifiedError::VibrationLimit { .. } => Quantity::VibrationLimit,
-                SpecifiedError::Reversed { .. }
+                SpecifiedError::NoRange
+                | SpecifiedError::Reversed { .. }
                 | SpecifiedError::Insensitivity { .. }
                 | SpecifiedError::TooLong
                 | SpecifiedError::TooManyImpulses { .. }
                 | SpecifiedError::NotFound => Quantity::Insensitivity,
+                SpecifiedError::Apart { .. } => Quantity::Frequency(1),
             },
         }
     }

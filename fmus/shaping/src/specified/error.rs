@@ -10,6 +10,15 @@ use crate::{MAX_IMPULSES, ModeError};
 pub enum SpecifiedError {
     /// An end of the range is no usable frequency, or the damping ratio is outside 0 ≤ ζ < 1.
     Mode(ModeError),
+    /// There is no range at all.
+    NoRange,
+    /// A range is too far above the slowest one.
+    Apart {
+        /// The highest frequency over the middle of the slowest range.
+        ratio: f64,
+        /// The largest ratio that is designed for.
+        most: f64,
+    },
     /// The lower end of the range is above the upper end.
     Reversed {
         /// Lower end, rad/s.
@@ -44,9 +53,15 @@ impl fmt::Display for SpecifiedError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Mode(error) => error.fmt(f),
+            Self::Apart { ratio, most } => write!(
+                f,
+                "the highest frequency is {ratio} times the slowest range's middle, and {most} times is the most for one \
+                 shaper; bring the ranges closer, or convolve a shaper for each"
+            ),
             Self::Reversed { lower, upper } => {
                 write!(f, "the range's lower end, {lower} rad/s, is above its upper end, {upper} rad/s; swap them")
             }
+            Self::NoRange => f.write_str("there is no range of frequencies to design for; give at least one"),
             Self::Insensitivity { value } => {
                 write!(f, "the insensitivity is {value}; it must be at least 0 and less than 2")
             }

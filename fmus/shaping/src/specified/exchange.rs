@@ -1,6 +1,6 @@
 //! The least vibration that trains of a given length can be held to, found by exchange.
 //!
-//! Over the places τ of impulses xₖ ≥ 0, Σxₖ = 1, and the frequencies ω of the range, the least highest vibration is
+//! Over the places τ of impulses xₖ ≥ 0, Σxₖ = 1, and the frequencies ω of the ranges, the least highest vibration is
 //!
 //! v = min over x of max over ω |Σ xₖ e(ω, τₖ)| = min over x of max over (ω, φ) Re e^{−jφ} Σ xₖ e(ω, τₖ).
 //!
@@ -15,9 +15,20 @@ use super::extrema::{Jet, minima};
 use super::game;
 use super::response::Response;
 
-/// A tangent to the cone |f(ω)| ≤ v: Re(e^{−jφ} f(ω)) ≤ v.
+/// Frequencies that one damping ratio goes with.
+#[derive(Clone, Copy)]
+pub(super) struct Range {
+    pub response: Response,
+    pub low: f64,
+    pub high: f64,
+}
+
+/// A tangent to the cone |f(ω)| ≤ v of a range: Re(e^{−jφ} f(ω)) ≤ v.
 #[derive(Clone, Copy)]
 pub(super) struct Cut {
+    /// The range's number.
+    pub range: usize,
+    pub response: Response,
     pub omega: f64,
     /// e^{jφ}
     pub direction: Complex<f64>,
@@ -46,9 +57,9 @@ impl Mix {
     }
 
     /// p(τ) = Σ y Re(e^{−jφ} e(ω, τ)) with its slope and curvature.
-    pub fn price(&self, response: Response, tau: f64) -> Jet {
+    pub fn price(&self, tau: f64) -> Jet {
         self.weights.iter().fold([0.0; 3], |[value, slope, curvature], (cut, weight)| {
-            let e = response.derivatives(cut.omega, tau);
+            let e = cut.response.derivatives(cut.omega, tau);
             let part = |e: Complex<f64>| (cut.direction.conj() * e).re * weight;
             [value + part(e.value), slope + part(e.by_tau), curvature + part(e.by_tau_tau)]
         })
@@ -63,11 +74,19 @@ impl Mix {
     }
 }
 
-/// Frequencies, damping and what has been exchanged so far.
+/// A local maximum of |f(ω)| in a range, its ends included.
+pub(super) struct Hump {
+    /// The range's number.
+    pub range: usize,
+    pub omega: f64,
+    /// |f(ω)|
+    pub size: f64,
+}
+
+/// The ranges and what has been exchanged so far.
 pub(super) struct Exchange {
-    pub response: Response,
-    pub low: f64,
-    pub high: f64,
+    /// At least one; with either all or none of the responses symmetric.
+    pub ranges: Vec<Range>,
     cuts: Vec<Cut>,
     places: Vec<f64>,
 }
@@ -83,22 +102,29 @@ pub(super) enum Verdict {
 }
 
 impl Exchange {
-    pub fn new(response: Response, low: f64, high: f64) -> Self {
-        Self { response, low, high, cuts: Vec::new(), places: Vec::new() }
+    pub fn new(ranges: Vec<Range>) -> Self {
+        Self { ranges, cuts: Vec::new(), places: Vec::new() }
     }
 
     /// Minima of p over all places: the best answers to the weights.
     pub fn prices(&self, mix: &Mix, longest: f64) -> Vec<(f64, Jet)> {
-        minima(0.0..=longest, samples(self.high * longest), |tau| mix.price(self.response, tau))
+        let highest = self.ranges.iter().map(|range| range.high).fold(0.0, f64::max);
+        minima(0.0..=longest, samples(highest * longest), |tau| mix.price(tau))
     }
 
-    /// Minima of −|f|²/2 over all frequencies: the best answers to the train.
-    pub fn humps(&self, mix: &Mix, longest: f64) -> Vec<(f64, Jet)> {
-        minima(self.low..=self.high, samples((self.high - self.low) * longest), |omega| {
-            let [f, slope, curvature] = mix.answer(self.response, omega);
-            let bend = slope.norm_sqr() + (f.conj() * curvature).re;
-            [-0.5 * f.norm_sqr(), -(f.conj() * slope).re, -bend]
-        })
+    /// Maxima of |f| over all frequencies, as minima of −|f|²/2: the best answers to the train.
+    pub fn humps(&self, mix: &Mix, longest: f64) -> Vec<Hump> {
+        let of_range = |(number, range): (usize, &Range)| {
+            let Range { response, low, high } = *range;
+            let found = minima(low..=high, samples((high - low) * longest), |omega| {
+                let [f, slope, curvature] = mix.answer(response, omega);
+                let bend = slope.norm_sqr() + (f.conj() * curvature).re;
+                [-0.5 * f.norm_sqr(), -(f.conj() * slope).re, -bend]
+            });
+            let hump = move |(omega, [half, ..]): (f64, Jet)| Hump { range: number, omega, size: (-2.0 * half).sqrt() };
+            found.into_iter().map(hump)
+        };
+        self.ranges.iter().enumerate().flat_map(of_range).collect()
     }
 
     /// Whether a train with places up to `longest` can keep V at the limit. The points that the answer uses are kept for the
@@ -117,14 +143,17 @@ impl Exchange {
         let (mut gap, mut idle) = (f64::INFINITY, 0);
         if self.cuts.is_empty() {
             self.places.push(0.0);
-            self.cuts.extend([self.low, self.high].map(|omega| Cut { omega, direction: Complex::ONE }));
+            for (number, &Range { response, low, high }) in self.ranges.iter().enumerate() {
+                let cut = |omega| Cut { range: number, response, omega, direction: Complex::ONE };
+                self.cuts.extend([low, high].map(cut));
+            }
         }
         for _ in 0..MAX_ROUNDS {
             let mix = self.play()?;
             let prices = self.prices(&mix, longest);
             let humps = self.humps(&mix, longest);
             let lower = prices.iter().map(|(_, [price, ..])| *price).fold(f64::INFINITY, f64::min);
-            let upper = humps.iter().map(|(_, [half, ..])| (-2.0 * half).sqrt()).fold(0.0, f64::max);
+            let upper = humps.iter().map(|hump| hump.size).fold(0.0, f64::max);
             if lower > limit {
                 return Some(Verdict::TooShort(mix));
             }
@@ -138,12 +167,10 @@ impl Exchange {
             }
             let value = 0.5 * (lower + upper);
             self.places.extend(prices.iter().filter(|(_, jet)| jet[0] < value).map(|(place, _)| *place));
-            for (omega, [half, ..]) in humps {
-                let size = (-2.0 * half).sqrt();
-                if size > value {
-                    let [f, ..] = mix.answer(self.response, omega);
-                    self.cuts.push(Cut { omega, direction: f / size });
-                }
+            for Hump { range, omega, size } in humps.into_iter().filter(|hump| hump.size > value) {
+                let response = self.ranges[range].response;
+                let [f, ..] = mix.answer(response, omega);
+                self.cuts.push(Cut { range, response, omega, direction: f / size });
             }
         }
         None
@@ -153,7 +180,7 @@ impl Exchange {
     fn play(&mut self) -> Option<Mix> {
         let payoff = DMatrix::from_fn(self.cuts.len(), self.places.len(), |cut, place| {
             let cut = self.cuts[cut];
-            (cut.direction.conj() * self.response.value(cut.omega, self.places[place])).re
+            (cut.direction.conj() * cut.response.value(cut.omega, self.places[place])).re
         });
         let solution = game::solve(&payoff)?;
         let used = |share: &f64| *share > 0.0;

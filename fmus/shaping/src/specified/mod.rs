@@ -1,4 +1,4 @@
-//! SI, specified insensitivity: the shortest positive shaper that keeps V below a limit over a range of frequencies.
+//! SI, specified insensitivity: the shortest positive shaper that keeps V below a limit over one or more ranges of frequencies.
 //!
 //! For trains of a given length the least highest vibration is a convex program, solved by [`exchange`]; it does not grow with
 //! the length, so the shortest length that holds the limit is bisected. Once close, [`polish`] solves the conditions for the
@@ -21,7 +21,7 @@ pub(crate) use extrema::minima;
 use std::f64::consts::TAU;
 
 use crate::{Band, Impulse, MAX_IMPULSES, Mode, Shaper};
-use exchange::{Exchange, Mix, Verdict};
+use exchange::{Exchange, Mix, Range, Verdict};
 use polish::polish;
 use response::Response;
 
@@ -53,31 +53,72 @@ pub fn specified_insensitivity(
     damping_ratio: f64,
     vibration_limit: f64,
 ) -> Result<Shaper, SpecifiedError> {
-    for end in [range.lower, range.upper] {
-        Mode::new(end, damping_ratio)?;
-    }
-    if range.lower > range.upper {
-        return Err(SpecifiedError::Reversed { lower: range.lower, upper: range.upper });
+    specified_insensitivity_of(&[(range, damping_ratio)], vibration_limit)
+}
+
+/// Designs the SI shaper for several ranges, each with a damping ratio of its own: of all trains of positive impulses that keep
+/// V ≤ `vibration_limit` at every frequency of every range, the shortest. All else is as for [`specified_insensitivity`], which is
+/// this for one range.
+///
+/// Ranges may overlap. Time grows with the ratio of their frequencies: milliseconds for 4, tenths of a second for 20, or seconds for
+/// limits of 1 % and less.
+///
+/// # Errors
+/// Those of [`specified_insensitivity`], [`SpecifiedError::NoRange`] for an empty list, and [`SpecifiedError::Apart`] for frequencies
+/// more than 50 times those of the slowest range.
+pub fn specified_insensitivity_of(ranges: &[(Band, f64)], vibration_limit: f64) -> Result<Shaper, SpecifiedError> {
+    for &(Band { lower, upper }, damping_ratio) in ranges {
+        Mode::new(lower, damping_ratio)?;
+        Mode::new(upper, damping_ratio)?;
+        if lower > upper {
+            return Err(SpecifiedError::Reversed { lower, upper });
+        }
     }
     if !(vibration_limit > 0.0 && vibration_limit < 1.0) {
         return Err(SpecifiedError::VibrationLimit { value: vibration_limit });
     }
-    let middle = 0.5 * range.lower + 0.5 * range.upper;
-    let response = Response::new(damping_ratio);
-    let exchange = Exchange::new(response, range.lower / middle, range.upper / middle);
+    let ranges = united(ranges);
+    let (slowest, _) = ranges.first().ok_or(SpecifiedError::NoRange)?;
+    let middle = 0.5 * slowest.lower + 0.5 * slowest.upper;
+    let ratio = ranges.iter().map(|(band, _)| band.upper).fold(0.0, f64::max) / middle;
+    if ratio > FARTHEST {
+        return Err(SpecifiedError::Apart { ratio, most: FARTHEST });
+    }
+    let damped = ranges.iter().any(|(_, damping_ratio)| *damping_ratio > 0.0);
+    let range = |(band, damping_ratio): &(Band, f64)| {
+        let response = if damped { Response::damped(*damping_ratio) } else { Response::Symmetric };
+        Range { response, low: band.lower / middle, high: band.upper / middle }
+    };
+    let exchange = Exchange::new(ranges.iter().map(range).collect());
     let train = shortest(exchange, vibration_limit)?;
-    shaper(response, &train, middle)
+    shaper(damped, &train, middle)
 }
 
-/// Places (in radians of the middle frequency) and shares of the shortest train.
+/// The ranges in order, those that overlap and have the same damping ratio as one.
+fn united(ranges: &[(Band, f64)]) -> Vec<(Band, f64)> {
+    let mut ordered = ranges.to_vec();
+    ordered.sort_by(|(a, _), (b, _)| a.lower.total_cmp(&b.lower));
+    let mut united: Vec<(Band, f64)> = Vec::new();
+    for (band, damping_ratio) in ordered {
+        let same = |(other, ratio): &&mut (Band, f64)| *ratio == damping_ratio && band.lower <= other.upper;
+        match united.iter_mut().find(same) {
+            Some((other, _)) => other.upper = other.upper.max(band.upper),
+            None => united.push((band, damping_ratio)),
+        }
+    }
+    united
+}
+
+/// Places (in radians of the slowest range's middle frequency) and shares of the shortest train.
 fn shortest(mut exchange: Exchange, limit: f64) -> Result<Vec<(f64, f64)>, SpecifiedError> {
-    let longest = MAX_PERIODS * TAU / exchange.response.duration_per_place();
+    let response = exchange.ranges[0].response;
+    let longest = MAX_PERIODS * TAU / response.duration_per_place();
     // an impulse at τ ≤ π/2 answers with cos ωτ at least, so shorter trains do not reach any limit
-    let mut short = match exchange.response {
-        Response::Symmetric => limit.acos() / exchange.high,
+    let mut short = match response {
+        Response::Symmetric => exchange.ranges.iter().map(|range| limit.acos() / range.high).fold(0.0, f64::max),
         Response::Damped(_) => 0.0,
     };
-    let mut long = (short * 1.01).max(0.5 * TAU / 4.0 * exchange.response.duration_per_place());
+    let mut long = (short * 1.01).max(0.5 * TAU / 4.0 * response.duration_per_place());
     let mut holds: Option<Mix> = None;
     loop {
         // first upwards until the limit is held, then inwards
@@ -117,25 +158,25 @@ fn shortest(mut exchange: Exchange, limit: f64) -> Result<Vec<(f64, f64)>, Speci
 /// duration; only the impulses that are splitting, all but equal in time, are then not exact.
 const CLOSE: f64 = 1e-9;
 
-/// Longest train looked for, in periods of the middle frequency.
+/// How many times the slowest range's middle frequency the highest frequency may be.
+const FARTHEST: f64 = 50.0;
+
+/// Longest train looked for, in periods of the slowest range's middle frequency.
 const MAX_PERIODS: f64 = 12.0;
 
-fn shaper(response: Response, train: &[(f64, f64)], unit: f64) -> Result<Shaper, SpecifiedError> {
+fn shaper(damped: bool, train: &[(f64, f64)], unit: f64) -> Result<Shaper, SpecifiedError> {
     let length = train.last().map_or(0.0, |(place, _)| *place);
     let mut impulses: Vec<Impulse> = Vec::new();
     let mut add = |angle: f64, amplitude| impulses.push(Impulse { time: angle / unit, amplitude });
     for &(place, share) in train.iter().rev() {
-        match response {
-            Response::Symmetric if place > 0.0 => add(length - place, 0.5 * share),
-            _ => add(length - place, share),
-        }
+        let whole = damped || place == 0.0;
+        add(length - place, if whole { share } else { 0.5 * share });
     }
-    match response {
-        Response::Symmetric => train.iter().filter(|(place, _)| *place > 0.0).for_each(|&(place, share)| {
-            add(length + place, 0.5 * share);
-        }),
-        Response::Damped(_) if train[0].0 > 0.0 => return Err(SpecifiedError::Waiting),
-        Response::Damped(_) => {}
+    if !damped {
+        let later = train.iter().filter(|(place, _)| *place > 0.0);
+        later.for_each(|&(place, share)| add(length + place, 0.5 * share));
+    } else if train.first().is_some_and(|(place, _)| *place > 0.0) {
+        return Err(SpecifiedError::Waiting);
     }
     if impulses.len() > MAX_IMPULSES {
         return Err(SpecifiedError::TooManyImpulses { count: impulses.len() });

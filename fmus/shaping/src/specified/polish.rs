@@ -3,7 +3,7 @@
 //! With c = f̄(ωₘ) and weights νₘ the train of places τₖ, the last of which is the length h that is sought, fulfils
 //!
 //! - Σₘ νₘ Re(c e(ωₘ, τₖ)) = V² for every impulse, with zero slope over τ at those inside;
-//! - |f(ωₘ)|² = V² at every frequency in use, with zero slope over ω at those inside the range (the equioscillation);
+//! - |f(ωₘ)|² = V² at every frequency in use, with zero slope over ω at those inside a range (the equioscillation);
 //! - Σxₖ = 1.
 //!
 //! Those are as many equations as there are xₖ, νₘ, inner ωₘ, inner τₖ and h.
@@ -19,16 +19,20 @@ struct Point {
     mass: f64,
     /// Whether the place is an unknown.
     free: bool,
+    /// The number of the frequency's range.
+    range: usize,
 }
 
 /// The optimum near a mix: places, ascending, and shares. `None` if Newton's method does not lead to one that passes the
 /// check from both sides.
 pub(super) fn polish(exchange: &Exchange, mix: &Mix, longest: f64, limit: f64) -> Option<Vec<(f64, f64)>> {
-    let places = exchange.prices(mix, longest).into_iter().map(|(place, _)| place).collect::<Vec<_>>();
-    let humps = exchange.humps(mix, longest).into_iter().map(|(omega, _)| omega).collect::<Vec<_>>();
-    let mut train = gather(&places, mix.train.iter().copied(), |place| place > 0.0);
-    let inside = |omega| exchange.low < omega && omega < exchange.high;
-    let mut waves = gather(&humps, mix.weights.iter().map(|(cut, weight)| (cut.omega, *weight)), inside);
+    let places = exchange.prices(mix, longest).into_iter().map(|(place, _)| Point::at(place, place > 0.0, 0));
+    let humps = exchange.humps(mix, longest).into_iter().map(|hump| {
+        let range = &exchange.ranges[hump.range];
+        Point::at(hump.omega, range.low < hump.omega && hump.omega < range.high, hump.range)
+    });
+    let mut train = gather(places, mix.train.iter().map(|(place, share)| (0, *place, *share)));
+    let mut waves = gather(humps, mix.weights.iter().map(|(cut, weight)| (cut.range, cut.omega, *weight)));
     if train.last()?.place < longest {
         return None;
     }
@@ -36,11 +40,18 @@ pub(super) fn polish(exchange: &Exchange, mix: &Mix, longest: f64, limit: f64) -
     checked(exchange, &train, &waves, limit)
 }
 
-/// Gives every mass to the nearest of the places; places without any are dropped.
-fn gather(places: &[f64], masses: impl Iterator<Item = (f64, f64)>, free: impl Fn(f64) -> bool) -> Vec<Point> {
-    let mut points: Vec<Point> = places.iter().map(|&place| Point { place, mass: 0.0, free: free(place) }).collect();
-    for (at, mass) in masses {
-        let nearest = points.iter_mut().min_by(|a, b| (a.place - at).abs().total_cmp(&(b.place - at).abs()));
+impl Point {
+    fn at(place: f64, free: bool, range: usize) -> Self {
+        Self { place, mass: 0.0, free, range }
+    }
+}
+
+/// Gives every mass to the nearest of the points of its range; points without any are dropped.
+fn gather(points: impl Iterator<Item = Point>, masses: impl Iterator<Item = (usize, f64, f64)>) -> Vec<Point> {
+    let mut points: Vec<Point> = points.collect();
+    for (range, at, mass) in masses {
+        let candidates = points.iter_mut().filter(|point| point.range == range);
+        let nearest = candidates.min_by(|a, b| (a.place - at).abs().total_cmp(&(b.place - at).abs()));
         if let Some(nearest) = nearest {
             nearest.mass += mass;
         }
@@ -102,8 +113,8 @@ fn system(exchange: &Exchange, train: &[Point], waves: &[Point], limit: f64) -> 
     let slope_row = |k: usize| tau[k].filter(|row| *row != sum_row);
 
     for (m, wave) in waves.iter().enumerate() {
-        let e: Vec<Derivatives> =
-            train.iter().map(|point| exchange.response.derivatives(wave.place, point.place)).collect();
+        let response = exchange.ranges[wave.range].response;
+        let e: Vec<Derivatives> = train.iter().map(|point| response.derivatives(wave.place, point.place)).collect();
         let total = |part: fn(&Derivatives) -> Complex<f64>| -> Complex<f64> {
             e.iter().zip(train).map(|(e, point)| part(e) * point.mass).sum()
         };
@@ -157,26 +168,31 @@ fn system(exchange: &Exchange, train: &[Point], waves: &[Point], limit: f64) -> 
     (residual, jacobian)
 }
 
-/// The proof, whatever way the train was found: it keeps the limit everywhere in the range, and the weights' price is nowhere
+/// The proof, whatever way the train was found: it keeps the limit everywhere in the ranges, and the weights' price is nowhere
 /// below the limit, up to its length, so that no train of that length or shorter keeps less. The price falls at the end, so
 /// shorter ones cannot keep as much either.
 fn checked(exchange: &Exchange, train: &[Point], waves: &[Point], limit: f64) -> Option<Vec<(f64, f64)>> {
     let longest = train.last()?.place;
     let ordered = train.is_sorted_by(|a, b| a.place < b.place) && train[0].place >= 0.0;
     let positive = train.iter().chain(waves).all(|point| point.mass > 0.0);
-    let inside = waves.iter().all(|wave| exchange.low <= wave.place && wave.place <= exchange.high);
+    let inside = waves.iter().all(|wave| {
+        let range = &exchange.ranges[wave.range];
+        range.low <= wave.place && wave.place <= range.high
+    });
     if !(ordered && positive && inside) {
         return None;
     }
     let mut mix = Mix { train: train.iter().map(|point| (point.place, point.mass)).collect(), weights: Vec::new() };
     for wave in waves {
-        let [f, ..] = mix.answer(exchange.response, wave.place);
-        mix.weights.push((Cut { omega: wave.place, direction: f / f.norm() }, wave.mass));
+        let response = exchange.ranges[wave.range].response;
+        let [f, ..] = mix.answer(response, wave.place);
+        let cut = Cut { range: wave.range, response, omega: wave.place, direction: f / f.norm() };
+        mix.weights.push((cut, wave.mass));
     }
-    let highest = exchange.humps(&mix, longest).iter().map(|(_, jet)| (-2.0 * jet[0]).sqrt()).fold(0.0, f64::max);
+    let highest = exchange.humps(&mix, longest).iter().map(|hump| hump.size).fold(0.0, f64::max);
     let total: f64 = waves.iter().map(|wave| wave.mass).sum();
     let cheapest = exchange.prices(&mix, longest).iter().map(|(_, jet)| jet[0]).fold(f64::INFINITY, f64::min);
-    let falls = mix.price(exchange.response, longest)[1] < 0.0;
+    let falls = mix.price(longest)[1] < 0.0;
     let optimal = highest <= limit * (1.0 + MARGIN) && cheapest >= limit * total * (1.0 - MARGIN) && falls;
     optimal.then_some(mix.train)
 }

@@ -10,17 +10,13 @@ pub(super) enum Response {
     /// Without damping, for a train that is symmetric in time: e = cos ωτ, τ the distance from the centre; xₖ is shared by
     /// the impulses at ±τₖ.
     Symmetric,
-    /// With damping: e = e^{−κωτ}, κ = ζ + j√(1 − ζ²), τ the time before the last impulse.
+    /// With damping somewhere: e = e^{−κωτ}, κ = ζ + j√(1 − ζ²), τ the time before the last impulse.
     Damped(Complex<f64>),
 }
 
 impl Response {
-    pub fn new(damping_ratio: f64) -> Self {
-        if damping_ratio == 0.0 {
-            Self::Symmetric
-        } else {
-            Self::Damped(Complex::new(damping_ratio, damped_share(damping_ratio)))
-        }
+    pub fn damped(damping_ratio: f64) -> Self {
+        Self::Damped(Complex::new(damping_ratio, damped_share(damping_ratio)))
     }
 
     pub fn value(self, omega: f64, tau: f64) -> Complex<f64> {
@@ -86,7 +82,7 @@ mod tests {
     #[test]
     fn derivatives_are_those_of_the_response() {
         const STEP: f64 = 1e-5;
-        for response in [Response::Symmetric, Response::new(0.2)] {
+        for response in [Response::Symmetric, Response::damped(0.2)] {
             let at = |omega, tau| response.derivatives(omega, tau);
             let here = at(0.9, 2.3);
             assert_eq!(here.value, response.value(0.9, 2.3));

@@ -8,6 +8,7 @@ mod humps;
 mod limited;
 mod oscillator;
 mod properties;
+mod ranges;
 mod reference;
 mod refusals;
 mod specification;

@@ -11,12 +11,12 @@ use swayless_shaping::{
 
 use crate::{designed, distance, mode, shaper};
 
-fn table(name: &str) -> Vec<Value> {
+pub fn table(name: &str) -> Vec<Value> {
     let all: Value = serde_json::from_str(include_str!("data/two_mode.json")).expect("JSON");
     all[name].as_array().expect("a table").clone()
 }
 
-fn number(row: &Value, name: &str) -> f64 {
+pub fn number(row: &Value, name: &str) -> f64 {
     row[name].as_f64().expect("a number")
 }
 
