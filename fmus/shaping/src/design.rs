@@ -41,11 +41,13 @@ pub enum Kind {
     Convolved,
     /// At most three impulses, negative ones among them, that leave nothing of either of two modes.
     MinimumImpulse,
+    /// Specified insensitivity around each of two modes: the shortest positive shaper that keeps V below a limit over both ranges.
+    MultiModeSI,
 }
 
 impl Kind {
     /// All kinds, in the order of their declaration.
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 18] = [
         Self::None,
         Self::ZV,
         Self::ZVD,
@@ -63,6 +65,7 @@ impl Kind {
         Self::ALEI,
         Self::Convolved,
         Self::MinimumImpulse,
+        Self::MultiModeSI,
     ];
 
     /// The kinds that [`design`] knows: a mode, and for some a vibration limit, says all about them.
@@ -101,6 +104,7 @@ impl Kind {
             Self::ALEI => "ALEI",
             Self::Convolved => "Convolved",
             Self::MinimumImpulse => "MinimumImpulse",
+            Self::MultiModeSI => "MultiModeSI",
         }
     }
 }
@@ -131,9 +135,13 @@ pub fn design(kind: Kind, mode: Mode, vibration_limit: f64) -> Result<Shaper, De
         Kind::EI => ei::design(mode, vibration_limit),
         Kind::TwoHumpEI => humps::two_hump(mode, vibration_limit),
         Kind::ThreeHumpEI => humps::three_hump(mode, vibration_limit),
-        Kind::SI | Kind::UMZVc | Kind::ALZVD | Kind::ALEI | Kind::Convolved | Kind::MinimumImpulse => {
-            Err(DesignError::Kind { kind })
-        }
+        Kind::SI
+        | Kind::UMZVc
+        | Kind::ALZVD
+        | Kind::ALEI
+        | Kind::Convolved
+        | Kind::MinimumImpulse
+        | Kind::MultiModeSI => Err(DesignError::Kind { kind }),
         Kind::UMZV => umzv::design(mode),
         Kind::UMZVD => humps::unity(kind, mode, 0.0),
         Kind::UMEI => humps::unity(kind, mode, vibration_limit),

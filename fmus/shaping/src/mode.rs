@@ -70,7 +70,12 @@ impl Mode {
 
     /// The mode with the same damping ratio at 1 rad/s.
     pub(crate) fn at_unit_frequency(self) -> Self {
-        Self { frequency: 1.0, ..self }
+        self.in_units_of(self.frequency)
+    }
+
+    /// The same mode with that frequency as the unit of frequency.
+    pub(crate) fn in_units_of(self, frequency: f64) -> Self {
+        Self { frequency: self.frequency / frequency, ..self }
     }
 
     /// The same mode without its damping.

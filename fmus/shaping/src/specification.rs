@@ -6,7 +6,7 @@ use std::fmt;
 use crate::{
     Band, CompensatedError, CompensatedForm, Design, DesignError, Kind, LimitedError, MinimumImpulseError, Mode, Ramp,
     ShaperError, SpecifiedError, TimeConstant, compensated, convolve, design, limited, minimum_impulse_solution,
-    specified_insensitivity,
+    specified_insensitivity, specified_insensitivity_of,
 };
 
 /// All that a design can depend on. Each kind looks at what it needs and at nothing else.
@@ -28,7 +28,8 @@ pub struct Specification {
     pub modes: [Option<Mode>; 2],
     /// Residual vibration V that is allowed, as a share of the unshaped one.
     pub vibration_limit: f64,
-    /// Insensitivity I of `SI`: the full width of the range of frequencies in which V stays below the limit, over the mode's frequency.
+    /// Insensitivity I of `SI`, and of `MultiModeSI` for both modes: the full width of the range of frequencies in which V stays below
+    /// the limit, over the mode's frequency.
     pub insensitivity: f64,
     /// Acceleration limit of the drive of `ALZVD` and `ALEI`, a; infinite for none.
     pub acceleration_limit: f64,
@@ -45,8 +46,8 @@ pub struct Specification {
 }
 
 impl Specification {
-    /// A kind for one mode, with 5 % of vibration allowed, for SI within ±20 % of the frequency, for a drive without lag and limit; if a second mode is added, ZV for
-    /// each, or the shortest solution.
+    /// A kind for one mode, with 5 % of vibration allowed, for SI within ±20 % of the frequency, for a drive without lag and limit; if
+    /// a second mode is added, ZV for each, or the shortest solution.
     #[must_use]
     pub fn new(kind: Kind, mode: Mode) -> Self {
         Self {
@@ -63,7 +64,7 @@ impl Specification {
         }
     }
 
-    /// Designs it. Kinds with SI in their name allocate and take up to some milliseconds, all others neither; a
+    /// Designs it. Kinds with SI in their name allocate and take some milliseconds or, for two modes far apart, more, all others neither; a
     /// [`Designer`](crate::Designer) spares that where only the frequency has changed.
     ///
     /// # Errors
@@ -94,6 +95,13 @@ impl Specification {
                 let [first, second] = [self.base(0)?, self.base(1)?];
                 Ok(convolve(first.shaper(), second.shaper()).map_err(SpecificationError::Convolved)?.into())
             }
+            Kind::MultiModeSI => {
+                let range = |mode: Mode| -> Result<_, SpecifiedError> {
+                    Ok((Band::around(mode.frequency(), self.insensitivity)?, mode.damping_ratio()))
+                };
+                let ranges = [range(self.mode(0)?)?, range(self.mode(1)?)?];
+                Ok(specified_insensitivity_of(&ranges, self.vibration_limit)?.into())
+            }
             Kind::MinimumImpulse => Ok(minimum_impulse_solution([self.mode(0)?, self.mode(1)?], self.solution)?.into()),
             _ => Ok(design(self.kind, self.only_mode()?, self.vibration_limit)?.into()),
         }
@@ -105,6 +113,10 @@ impl Specification {
         match (self.kind, self.modes) {
             (Kind::SI, [Some(mode), None]) => {
                 Some((Self { modes: [Some(mode.at_unit_frequency()), None], ..*self }, mode.frequency()))
+            }
+            (Kind::MultiModeSI, [Some(first), Some(second)]) => {
+                let modes = [first, second].map(|mode| Some(mode.in_units_of(first.frequency())));
+                Some((Self { modes, ..*self }, first.frequency()))
             }
             _ => None,
         }

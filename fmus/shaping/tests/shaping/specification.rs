@@ -2,7 +2,7 @@
 
 use swayless_shaping::{
     Band, CompensatedForm, Designer, Kind, Quantity, Ramp, Specification, compensated, convolve, design, limited,
-    minimum_impulse_solution, specified_insensitivity,
+    minimum_impulse_solution, specified_insensitivity, specified_insensitivity_of,
 };
 
 use crate::{distance, mode};
@@ -70,7 +70,8 @@ fn what_a_designer_remembers_does_not_show() {
 
 #[test]
 fn kinds_for_two_modes_need_both() {
-    let modes = [mode(1.0, 0.0), mode(3.7, 0.0)];
+    let at = |frequency| mode(frequency, 0.0);
+    let modes = [at(1.0), at(3.7)];
     let of = |kind| Specification { modes: modes.map(Some), ..Specification::new(kind, modes[0]) };
     let wanted = Specification { base_kinds: [Kind::EI, Kind::SI], ..of(Kind::Convolved) };
     let si = Specification::new(Kind::SI, modes[1]).design().unwrap();
@@ -78,8 +79,16 @@ fn kinds_for_two_modes_need_both() {
     assert_eq!(*wanted.design().unwrap().shaper(), series);
     let wanted = Specification { solution: 3, ..of(Kind::MinimumImpulse) };
     assert_eq!(*wanted.design().unwrap().shaper(), minimum_impulse_solution(modes, 3).unwrap());
+    let wanted = Specification { insensitivity: 0.2, ..of(Kind::MultiModeSI) };
+    let ranges = modes.map(|mode| (Band::around(mode.frequency(), 0.2).unwrap(), 0.0));
+    assert_eq!(*wanted.design().unwrap().shaper(), specified_insensitivity_of(&ranges, 0.05).unwrap());
+    let (faster, mut designer) = (modes.map(|mode| at(1.7 * mode.frequency())), Designer::default());
+    for modes in [modes.map(Some), faster.map(Some)] {
+        let wanted = Specification { modes, ..wanted };
+        assert_eq!(designer.design(&wanted), wanted.design());
+    }
 
-    for kind in [Kind::Convolved, Kind::MinimumImpulse] {
+    for kind in [Kind::Convolved, Kind::MinimumImpulse, Kind::MultiModeSI] {
         let wanted = of(kind);
         let refused = |wanted: Specification| wanted.design().unwrap_err().quantity();
         assert_eq!(refused(Specification { modes: [wanted.modes[0], None], ..wanted }), Quantity::Frequency(1));
