@@ -4,7 +4,7 @@ use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 use swayless_shaping::{
     Band, CompensatedForm, Design, Kind, Mode, Ramp, Trains, compensated, convolve, design, insensitivity, limited,
-    minimum_impulse, minimum_impulse_solution, specified_insensitivity,
+    minimum_impulse, minimum_impulse_solution, specified_insensitivity, specified_insensitivity_of,
 };
 
 // shows that nothing is allocated
@@ -77,6 +77,13 @@ fn acceleration_limited((periods, damping_ratio, limit): (f64, f64, f64)) {
     let mode = mode(damping_ratio);
     let ramp = Ramp::new(periods * mode.period(), 1.0).expect("a ramp");
     let _ = black_box(limited(black_box(mode), black_box(ramp), black_box(limit)));
+}
+
+/// SI for 5 % over ±20 % around two frequencies with the given ratio; allocates, too.
+#[divan::bench(args = [(4, 0.0), (20, 0.0), (4, 0.01), (20, 0.01)], sample_count = 10, sample_size = 1)]
+fn ranges((ratio, damping_ratio): (u32, f64)) {
+    let range = |frequency| (Band::around(frequency, 0.4).expect("an insensitivity in range"), damping_ratio);
+    let _ = black_box(specified_insensitivity_of(black_box(&[range(1.0), range(f64::from(ratio))]), black_box(0.05)));
 }
 
 /// A ramp sampled every step, so that each step spawns a train and as many impulses are due; per step.

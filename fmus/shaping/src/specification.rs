@@ -276,6 +276,7 @@ impl SpecificationError {
                 | SpecifiedError::Insensitivity { .. }
                 | SpecifiedError::TooLong
                 | SpecifiedError::TooManyImpulses { .. }
+                | SpecifiedError::TooWide
                 | SpecifiedError::NotFound => Quantity::Insensitivity,
                 SpecifiedError::Apart { .. } => Quantity::Frequency(1),
             },

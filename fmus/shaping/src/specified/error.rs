@@ -43,6 +43,8 @@ pub enum SpecifiedError {
         /// How many it has.
         count: usize,
     },
+    /// Ranges so wide, or a limit so low, ask for more impulses than can be worked out.
+    TooWide,
     /// The damping ratio is so large that waiting beats shaping: the best train has no impulse at its end.
     Waiting,
     /// The search ended without a train that could be proved to be the shortest.
@@ -76,6 +78,10 @@ impl fmt::Display for SpecifiedError {
                 f,
                 "the shortest shaper has {count} impulses, and {MAX_IMPULSES} is the most; raise the vibration limit or \
                  narrow the range"
+            ),
+            Self::TooWide => f.write_str(
+                "so wide a range with so low a vibration limit takes too many impulses; raise the vibration limit or narrow the \
+                 range",
             ),
             Self::Waiting => f.write_str(
                 "damping alone is quicker than shaping: the best train ends before its vibration is down to the limit; \

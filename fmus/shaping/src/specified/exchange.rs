@@ -11,6 +11,7 @@
 
 use nalgebra::{Complex, DMatrix};
 
+use super::SpecifiedError;
 use super::extrema::{Jet, minima};
 use super::game;
 use super::response::Response;
@@ -128,16 +129,19 @@ impl Exchange {
     }
 
     /// Whether a train with places up to `longest` can keep V at the limit. The points that the answer uses are kept for the
-    /// next question. `None` if rounding broke the game itself.
-    pub fn judge(&mut self, longest: f64, limit: f64) -> Option<Verdict> {
+    /// next question.
+    ///
+    /// # Errors
+    /// [`SpecifiedError::NotFound`] if rounding broke the game itself, [`SpecifiedError::TooWide`] if it grew too large.
+    pub fn judge(&mut self, longest: f64, limit: f64) -> Result<Verdict, SpecifiedError> {
         let verdict = self.play_rounds(longest, limit)?;
         let (Verdict::TooShort(mix) | Verdict::LongEnough(mix) | Verdict::Close(mix)) = &verdict;
         self.places = mix.train.iter().map(|(place, _)| *place).collect();
         self.cuts = mix.weights.iter().map(|(cut, _)| *cut).collect();
-        Some(verdict)
+        Ok(verdict)
     }
 
-    fn play_rounds(&mut self, longest: f64, limit: f64) -> Option<Verdict> {
+    fn play_rounds(&mut self, longest: f64, limit: f64) -> Result<Verdict, SpecifiedError> {
         self.places.retain(|place| *place < longest);
         self.places.push(longest);
         let (mut gap, mut idle) = (f64::INFINITY, 0);
@@ -149,21 +153,24 @@ impl Exchange {
             }
         }
         for _ in 0..MAX_ROUNDS {
-            let mix = self.play()?;
+            if self.cuts.len() + self.places.len() > MAX_POINTS {
+                return Err(SpecifiedError::TooWide);
+            }
+            let mix = self.play().ok_or(SpecifiedError::NotFound)?;
             let prices = self.prices(&mix, longest);
             let humps = self.humps(&mix, longest);
             let lower = prices.iter().map(|(_, [price, ..])| *price).fold(f64::INFINITY, f64::min);
             let upper = humps.iter().map(|hump| hump.size).fold(0.0, f64::max);
             if lower > limit {
-                return Some(Verdict::TooShort(mix));
+                return Ok(Verdict::TooShort(mix));
             }
             if upper <= limit {
-                return Some(Verdict::LongEnough(mix));
+                return Ok(Verdict::LongEnough(mix));
             }
             idle = if upper - lower < 0.99 * gap { 0 } else { idle + 1 };
             gap = gap.min(upper - lower);
             if gap <= GAP || idle > MAX_IDLE {
-                return Some(Verdict::Close(mix));
+                return Ok(Verdict::Close(mix));
             }
             let value = 0.5 * (lower + upper);
             self.places.extend(prices.iter().filter(|(_, jet)| jet[0] < value).map(|(place, _)| *place));
@@ -173,7 +180,7 @@ impl Exchange {
                 self.cuts.push(Cut { range, response, omega, direction: f / size });
             }
         }
-        None
+        Err(SpecifiedError::NotFound)
     }
 
     /// Solves the game of the present points.
@@ -195,6 +202,9 @@ pub(super) fn samples(phase: f64) -> usize {
     16 + (10.0 * phase) as usize
 }
 
+/// Places and cuts in a game. Trains of up to 32 impulses need less than 800, and larger games take many seconds.
+const MAX_POINTS: usize = 900;
+
 /// Rounds of exchange; about ten are usual.
 const MAX_ROUNDS: usize = 200;
 
@@ -203,3 +213,16 @@ const MAX_IDLE: u32 = 20;
 
 /// Bounds this close to each other are equal to rounding.
 const GAP: f64 = 1e-13;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_game_too_large_is_not_played() {
+        let mut exchange = Exchange::new(vec![Range { response: Response::Symmetric, low: 0.9, high: 1.1 }]);
+        exchange.places = vec![0.5; MAX_POINTS];
+        let Err(error) = exchange.judge(1.0, 0.05) else { panic!("the game was played") };
+        assert_eq!(error, SpecifiedError::TooWide);
+    }
+}

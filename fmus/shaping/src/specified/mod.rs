@@ -126,7 +126,7 @@ fn shortest(mut exchange: Exchange, limit: f64) -> Result<Vec<(f64, f64)>, Speci
         if at > longest {
             return Err(SpecifiedError::TooLong);
         }
-        let verdict = exchange.judge(at, limit).ok_or(SpecifiedError::NotFound)?;
+        let verdict = exchange.judge(at, limit)?;
         let (Verdict::TooShort(mix) | Verdict::LongEnough(mix) | Verdict::Close(mix)) = &verdict;
         if holds.is_some()
             && let Some(train) = polish(&exchange, mix, at, limit)
