@@ -10,6 +10,7 @@ pub mod package;
 pub mod recorder;
 pub mod report;
 mod run;
+pub mod shapers;
 pub mod signals;
 pub mod simulation;
 pub mod slave;

@@ -4,6 +4,8 @@
 mod common;
 #[path = "common/pack.rs"]
 mod pack;
+#[path = "cli/shaper.rs"]
+mod shaper;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -45,7 +47,7 @@ fn archive(folder: &Path, name: &str, entries: &[(&str, &str)]) -> PathBuf {
 #[test]
 fn every_command_has_help() {
     let (all, _) = exits(&["--help"], 0);
-    for command in ["build", "info", "validate", "run", "demo"] {
+    for command in ["build", "info", "validate", "run", "shaper", "demo"] {
         assert!(all.contains(command), "{all}");
         let (help, errors) = exits(&[command, "--help"], 0);
         assert!(help.contains("Usage: swayless") && errors.is_empty(), "{help}");

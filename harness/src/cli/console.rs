@@ -5,7 +5,7 @@ use std::fmt::Display;
 use std::io::{ErrorKind, Write};
 
 use comfy_table::presets::NOTHING;
-use comfy_table::{CellAlignment, ContentArrangement, Table};
+use comfy_table::{CellAlignment, ContentArrangement, Row, Table};
 use indicatif::{ProgressBar, ProgressStyle};
 use swayless::Observer;
 
@@ -55,7 +55,7 @@ pub fn is_closed_pipe(error: &(dyn Error + 'static)) -> bool {
 }
 
 /// A table with a header; the columns named in `numbers` are aligned to the right.
-pub fn table<const N: usize>(header: [&str; N], numbers: impl IntoIterator<Item = usize>) -> Table {
+pub fn table(header: impl Into<Row>, numbers: impl IntoIterator<Item = usize>) -> Table {
     let mut table = Table::new();
     table.load_style(NOTHING).set_content_arrangement(ContentArrangement::Dynamic).set_header(header);
     for index in numbers {
@@ -68,15 +68,21 @@ pub fn table<const N: usize>(header: [&str; N], numbers: impl IntoIterator<Item 
 
 /// A number as people read it: five significant digits, without a tail of zeros.
 pub fn number(value: f64) -> String {
+    significant(value, 5)
+}
+
+/// A number with so many significant digits, without a tail of zeros.
+pub fn significant(value: f64, digits: u8) -> String {
+    let further = f64::from(digits) - 1.0;
     let magnitude = value.abs();
     if value == 0.0 || !value.is_finite() {
         format!("{value}")
     } else if (1e-3..1e6).contains(&magnitude) {
-        let decimals = (4.0 - magnitude.log10().floor()).clamp(0.0, 7.0) as usize;
+        let decimals = (further - magnitude.log10().floor()).clamp(0.0, further + 3.0) as usize;
         let text = format!("{value:.decimals$}");
         if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
     } else {
-        format!("{value:.4e}")
+        format!("{value:.*e}", further as usize)
     }
 }
 

@@ -3,9 +3,11 @@
 mod build;
 mod console;
 mod demo;
+mod files;
 mod info;
 mod interrupt;
 mod run;
+mod shaper;
 mod statistics;
 mod validate;
 
@@ -35,6 +37,7 @@ enum Command {
     Info(info::Arguments),
     Validate(validate::Arguments),
     Run(Box<run::Arguments>),
+    Shaper(Box<shaper::Arguments>),
     Demo(demo::Arguments),
 }
 
@@ -59,6 +62,7 @@ pub fn main() -> ExitCode {
         Command::Info(arguments) => info::run(&arguments),
         Command::Validate(arguments) => validate::run(&arguments),
         Command::Run(arguments) => run::run(&arguments),
+        Command::Shaper(arguments) => shaper::run(&arguments),
         Command::Demo(arguments) => demo::run(&arguments),
     };
     match outcome {

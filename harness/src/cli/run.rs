@@ -10,6 +10,7 @@ use swayless::{
 };
 
 use super::console::Progress;
+use super::files::write_failed;
 use super::interrupt::Interrupt;
 use super::statistics::Statistics;
 use super::{Failure, Outcome, console};
@@ -222,11 +223,6 @@ fn json(name: &str, summary: &Summary, statistics: &Statistics) -> serde_json::V
         "messages": summary.messages.iter().map(|m| format!("{}: {m}", m.instance)).collect::<Vec<_>>(),
         "variables": statistics.json(),
     })
-}
-
-/// A file of results that cannot be written.
-pub fn write_failed(path: &Path, source: std::io::Error) -> swayless::Error {
-    swayless::Error::Io { action: "write", path: path.to_owned(), source }
 }
 
 fn start_value(text: &str) -> Result<(String, String), String> {

@@ -344,7 +344,10 @@ impl Error {
 
     /// Whether what was asked for makes no sense, so that the usage is at fault.
     pub fn is_usage(&self) -> bool {
-        matches!(self, Self::Option(_))
+        match self {
+            Self::Several(errors) => errors.iter().all(Self::is_usage),
+            single => matches!(single, Self::Option(_)),
+        }
     }
 
     /// An error of the operating system, told apart from a file that is not there.

@@ -17,7 +17,7 @@ pub const PANELS: usize = 8;
 /// How many points of a curve are drawn; more cannot be told apart on a screen.
 const POINTS: usize = 2000;
 
-/// Heights (px): of a panel, of the gap between two of them, of the time axis, of the plot's buttons, of a legend's row.
+/// Heights (px): of a panel, of the gap between two of them, of the horizontal axis, of the plot's buttons, of a legend's row.
 const PANEL_HEIGHT: u32 = 180;
 const GAP: f64 = 22.0;
 const AXIS_HEIGHT: u32 = 56;
@@ -129,7 +129,7 @@ fn plot(figure: &Figure) -> Plot {
                 .y(1.0 + 6.0 / inner)
                 .y_anchor(Anchor::Bottom),
         )
-        .x_axis(axis().title(title("time (s)")).anchor(axis_name(panels.len().saturating_sub(1))));
+        .x_axis(axis().title(title(&figure.horizontal)).anchor(axis_name(panels.len().saturating_sub(1))));
     let mut plot = Plot::new();
     let mut named: Vec<&str> = Vec::new();
     let mut top = 1.0;
@@ -143,7 +143,7 @@ fn plot(figure: &Figure) -> Plot {
         add_curves(&mut plot, panel, place, &mut named);
         top = bottom;
     }
-    if let Some((from, to, words)) = &figure.span {
+    for (from, to, words) in &figure.spans {
         layout.add_shape(
             Shape::new()
                 .shape_type(ShapeType::Rect)
@@ -179,7 +179,7 @@ fn plot(figure: &Figure) -> Plot {
 
 fn add_curves<'a>(plot: &mut Plot, panel: &'a Panel, place: usize, named: &mut Vec<&'a str>) {
     for curve in &panel.curves {
-        let (times, values) = curve.points(POINTS);
+        let (places, values) = curve.points(POINTS);
         let dash = match curve.style.dash {
             Dash::Solid => DashType::Solid,
             Dash::Dashed => DashType::Dash,
@@ -193,7 +193,7 @@ fn add_curves<'a>(plot: &mut Plot, panel: &'a Panel, place: usize, named: &mut V
         let line = Line::new().color(palette::css(curve.style.color)).width(curve.style.width).dash(dash).shape(shape);
         let visible = if curve.hidden { Visible::LegendOnly } else { Visible::True };
         plot.add_trace(
-            Scatter::new(times, values)
+            Scatter::new(places, values)
                 .mode(Mode::Lines)
                 .name(&curve.name)
                 .legend_group(&curve.name)
@@ -245,7 +245,7 @@ mod tests {
         let style = Style { color: 1, width: 2.0, dash: Dash::Solid };
         let curve = Curve {
             name: "</script><b>".into(),
-            times: [0.0, 1.0].as_slice().into(),
+            places: [0.0, 1.0].as_slice().into(),
             values: vec![0.0, f64::NAN],
             style,
             held: true,
@@ -272,7 +272,7 @@ mod tests {
     }
 
     #[test]
-    fn panels_share_the_time_axis() {
+    fn panels_share_the_horizontal_axis() {
         let plot = plot(&report().figures[0]).to_json();
         assert!(plot.contains("\"yaxis3\"") && !plot.contains("\"xaxis2\""));
     }

@@ -1,4 +1,4 @@
-//! Reports of runs: one HTML file with interactive curves that needs nothing else, and pictures in SVG.
+//! Reports: one HTML file with interactive curves that needs nothing else, and pictures in SVG.
 //!
 //! A [`Report`] is plain data, so that what is shown is decided in one place and how it is drawn in another: [`html`]
 //! makes the page, [`svg`] a picture of one figure, [`run`] the report of any single run.
@@ -40,17 +40,27 @@ pub struct Table {
     pub notes: Vec<String>,
 }
 
-/// Panels above each other that share the time axis.
-#[derive(Debug, Clone, Default, PartialEq)]
+/// Panels above each other that share the horizontal axis.
+#[derive(Debug, Clone, PartialEq)]
 pub struct Figure {
     /// What it is about.
     pub title: String,
     /// What to see in it.
     pub caption: String,
+    /// The horizontal axis's label, with its unit.
+    pub horizontal: String,
     /// The panels, from top to bottom.
     pub panels: Vec<Panel>,
-    /// A span of time (s) that is shaded, with the words that say why.
-    pub span: Option<(f64, f64, String)>,
+    /// Spans of the horizontal axis that are shaded, each from, to, and the words that say why.
+    pub spans: Vec<(f64, f64, String)>,
+}
+
+/// Of nothing, over time.
+impl Default for Figure {
+    fn default() -> Self {
+        let horizontal = "time (s)".to_owned();
+        Self { title: String::new(), caption: String::new(), horizontal, panels: Vec::new(), spans: Vec::new() }
+    }
 }
 
 /// Curves with one vertical axis.
@@ -64,14 +74,14 @@ pub struct Panel {
     pub curves: Vec<Curve>,
 }
 
-/// One curve over time.
+/// One curve.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
     /// Its name. Curves of one name are shown and hidden together, across the panels of a figure.
     pub name: String,
-    /// The times (s), which several curves share.
-    pub times: Arc<[f64]>,
-    /// The values, one for each time.
+    /// Where on the horizontal axis its values stand, which several curves share.
+    pub places: Arc<[f64]>,
+    /// The values, one for each place.
     pub values: Vec<f64>,
     /// How it is drawn.
     pub style: Style,
@@ -104,9 +114,25 @@ pub enum Dash {
     Dotted,
 }
 
+impl Style {
+    /// For the curve at this place of a figure: curves differ in colour, and in dashes once the colours are used up.
+    pub fn at(place: usize) -> Self {
+        let dash = match place / palette::COLORS {
+            0 => Dash::Solid,
+            1 => Dash::Dashed,
+            _ => Dash::Dotted,
+        };
+        Self { color: place, width: 1.7, dash }
+    }
+}
+
 impl Curve {
     /// What is drawn of it, with about this many points at most.
     fn points(&self, limit: usize) -> (Vec<f64>, Vec<f64>) {
-        if self.held { thin::changes(&self.times, &self.values) } else { thin::thin(&self.times, &self.values, limit) }
+        if self.held {
+            thin::changes(&self.places, &self.values)
+        } else {
+            thin::thin(&self.places, &self.values, limit)
+        }
     }
 }

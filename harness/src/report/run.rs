@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Curve, Dash, Figure, Panel, Report, Shown, Style, Table, html, palette};
+use super::{Curve, Figure, Panel, Report, Shown, Style, Table, html};
 use crate::{Recording, Summary};
 
 /// The report of a run of a system.
@@ -14,11 +14,11 @@ pub fn report(system: &str, recording: &Recording, summary: &Summary) -> Report 
         let group = variable.rsplit_once('.').map_or(variable, |(group, _)| group);
         let shown = Shown::of(unit.as_deref());
         let figure = figure(&mut figures, instance, &shown.label(group));
-        let style = style(figure.panels.iter().map(|p| p.curves.len()).sum());
+        let style = Style::at(figure.panels.iter().map(|p| p.curves.len()).sum());
         let panel = panel(figure, shown.label(group));
         panel.curves.push(Curve {
             name: variable.to_owned(),
-            times: times.clone(),
+            places: times.clone(),
             values: shown.values(values),
             style,
             held: false,
@@ -51,16 +51,6 @@ fn panel(figure: &mut Figure, label: String) -> &mut Panel {
         figure.panels.len() - 1
     });
     &mut figure.panels[place]
-}
-
-/// Curves of a figure differ in colour, and in dashes once the colours are used up.
-fn style(place: usize) -> Style {
-    let dash = match place / palette::COLORS {
-        0 => Dash::Solid,
-        1 => Dash::Dashed,
-        _ => Dash::Dotted,
-    };
-    Style { color: place, width: 1.7, dash }
 }
 
 fn table(summary: &Summary) -> Table {

@@ -44,7 +44,7 @@ fn draw(figure: &Figure, area: Area) -> Result<(), Box<dyn std::error::Error>> {
     let axis = px(40);
     let mut rest = head.1;
     let available = rest.dim_in_pixel().1 as i32 - axis;
-    let (from, to) = time_range(figure);
+    let (from, to) = horizontal_range(figure);
     for (place, panel) in figure.panels.iter().enumerate() {
         let last = place + 1 == figure.panels.len();
         let share = available * panel.height.max(1) as i32 / total.max(1) as i32;
@@ -62,17 +62,18 @@ fn draw_panel(
     (from, to): (f64, f64),
     last: bool,
 ) -> Result<(), Box<dyn std::error::Error>> {
+    let words_here = !figure.spans.is_empty() && std::ptr::eq(panel, &figure.panels[0]);
     let mut chart = ChartBuilder::on(area)
         .margin_left(px(12))
         .margin_right(px(16))
         .margin_top(px(10))
         .set_label_area_size(LabelAreaPosition::Left, px(60))
         .set_label_area_size(LabelAreaPosition::Bottom, if last { px(40) } else { 0 })
-        .build_cartesian_2d(from..to, value_range(panel))?;
-    if let Some((start, end, words)) = &figure.span {
+        .build_cartesian_2d(from..to, value_range(panel, words_here))?;
+    for (start, end, words) in &figure.spans {
         let (low, high) = (chart.y_range().start, chart.y_range().end);
         chart.draw_series([Rectangle::new([(*start, low), (*end, high)], SPAN.filled())])?;
-        if std::ptr::eq(panel, &figure.panels[0]) {
+        if words_here {
             let style = text(12, SOFT).pos(Pos::new(HPos::Left, VPos::Top));
             chart.draw_series([Text::new(
                 words.clone(),
@@ -88,12 +89,12 @@ fn draw_panel(
         .axis_style(SOFT.stroke_width(SCALE))
         .y_labels(if area.dim_in_pixel().1 < SCALE * 130 { 3 } else { 6 })
         .x_labels(10)
-        .x_label_formatter(&|t| format!("{t:.0}"))
+        .x_label_formatter(&|v| label(*v))
         .y_label_formatter(&|v| label(*v))
         .label_style(text(12, INK))
         .axis_desc_style(text(13, INK))
         .y_desc(&panel.label)
-        .x_desc(if last { "time (s)" } else { "" })
+        .x_desc(if last { figure.horizontal.as_str() } else { "" })
         .draw()?;
     for curve in panel.curves.iter().filter(|c| !c.hidden) {
         let (points, style) = (points(curve), stroke(curve));
@@ -129,15 +130,15 @@ fn draw_legend(figure: &Figure, area: &Area) -> Result<(), Box<dyn std::error::E
 }
 
 fn points(curve: &Curve) -> Vec<(f64, f64)> {
-    let (times, values) = curve.points(POINTS);
-    let mut points: Vec<(f64, f64)> = Vec::with_capacity(times.len() * 2);
-    for (time, value) in times.into_iter().zip(values).filter(|(_, v)| v.is_finite()) {
+    let (places, values) = curve.points(POINTS);
+    let mut points: Vec<(f64, f64)> = Vec::with_capacity(places.len() * 2);
+    for (place, value) in places.into_iter().zip(values).filter(|(_, v)| v.is_finite()) {
         if curve.held
             && let Some(&(_, before)) = points.last()
         {
-            points.push((time, before));
+            points.push((place, before));
         }
-        points.push((time, value));
+        points.push((place, value));
     }
     points
 }
@@ -156,25 +157,26 @@ fn dashes(dash: Dash) -> Option<(u32, u32)> {
     }
 }
 
-fn time_range(figure: &Figure) -> (f64, f64) {
-    let times = || figure.panels.iter().flat_map(|p| &p.curves).flat_map(|c| c.times.iter().copied());
-    range(times().fold(f64::INFINITY, f64::min), times().fold(f64::NEG_INFINITY, f64::max), 0.0)
+fn horizontal_range(figure: &Figure) -> (f64, f64) {
+    let places = || figure.panels.iter().flat_map(|p| &p.curves).flat_map(|c| c.places.iter().copied());
+    range(places().fold(f64::INFINITY, f64::min), places().fold(f64::NEG_INFINITY, f64::max), 0.0)
 }
 
-fn value_range(panel: &Panel) -> std::ops::Range<f64> {
+/// With room above for words, where some stand there.
+fn value_range(panel: &Panel, words: bool) -> std::ops::Range<f64> {
     let values =
         || panel.curves.iter().filter(|c| !c.hidden).flat_map(|c| c.values.iter().copied()).filter(|v| v.is_finite());
     let (low, high) = range(values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max), 0.06);
-    low..high
+    low..high + if words { 0.08 * (high - low) } else { 0.0 }
 }
 
-/// From lowest to highest with some room, and never empty. A range that begins at 0 stays there.
+/// From lowest to highest with some room, and never empty. A range that begins next to 0 begins there.
 fn range(low: f64, high: f64, room: f64) -> (f64, f64) {
     if low > high {
         return (0.0, 1.0);
     }
     let width = if high > low { high - low } else { 1.0 };
-    let below = if low == 0.0 { 0.0 } else { room * width };
+    let below = if (0.0..=room * width).contains(&low) { low } else { room * width };
     (low - below, if high > low { high } else { low + 1.0 } + room * width)
 }
 
@@ -202,15 +204,15 @@ mod tests {
         let style = Style { color: 1, width: 2.0, dash: Dash::Solid };
         let curve = |name: &str, held| Curve {
             name: name.into(),
-            times: [0.0, 1.0, 2.0].as_slice().into(),
+            places: [0.0, 1.0, 2.0].as_slice().into(),
             values: vec![0.0, 3.0, f64::NAN],
             style,
             held,
             hidden: false,
         };
         let panel = Panel { label: "swing (°)".into(), height: 1, curves: vec![curve("a", false), curve("b", true)] };
-        let span = Some((1.0, 2.0, "rest".to_owned()));
-        let figure = Figure { title: "Swing".into(), panels: vec![panel.clone(), panel], span, ..Figure::default() };
+        let spans = vec![(1.0, 2.0, "rest".to_owned())];
+        let figure = Figure { title: "Swing".into(), panels: vec![panel.clone(), panel], spans, ..Figure::default() };
         let svg = picture(&figure, 600, 400).unwrap();
         assert!(svg.contains("width=\"600\" height=\"400\" viewBox=\"0 0 2400 1600\""), "{}", &svg[..200]);
         assert!(svg.matches("<polyline").count() >= 4);

@@ -30,7 +30,7 @@ pub fn picture(runs: &[Run], results: &Results) -> Figure {
     }
     Figure {
         panels,
-        span: rest(runs, results),
+        spans: rest(runs, results),
         title: "Swing of the payload, by shaper".to_owned(),
         ..Figure::default()
     }
@@ -48,7 +48,8 @@ fn swing(runs: &[Run], results: &Results) -> Figure {
             panel(runs, "swing.radial", "rad", "radial", 1, |_| true),
             panel(runs, "swing.tangential", "rad", "tangential", 1, |_| true),
         ],
-        span: rest(runs, results),
+        spans: rest(runs, results),
+        ..Figure::default()
     }
 }
 
@@ -84,7 +85,7 @@ fn axes(runs: &[Run]) -> Figure {
         caption: "The operator’s command, what the shaper makes of it, and how fast the drive then moves the axis."
             .to_owned(),
         panels,
-        span: None,
+        ..Figure::default()
     }
 }
 
@@ -99,7 +100,8 @@ fn crane(runs: &[Run], results: &Results) -> Figure {
             panel(runs, "hoist.length", "m", "suspension length", 1, few),
             panel(runs, "base.x", "m", "base", 1, few),
         ],
-        span: rest(runs, results),
+        spans: rest(runs, results),
+        ..Figure::default()
     }
 }
 
@@ -121,7 +123,7 @@ fn curve(run: &Run, variable: &str, shown: &Shown) -> Curve {
     let width = if place == 0 { 1.4 } else { 1.9 };
     Curve {
         name: if place == 0 { "no shaper".to_owned() } else { run.kind.to_owned() },
-        times: Arc::from(run.recording.times.as_slice()),
+        places: Arc::from(run.recording.times.as_slice()),
         values: shown.values(column(&run.recording, variable)),
         style: Style { color: place, width, dash },
         held: false,
@@ -130,7 +132,8 @@ fn curve(run: &Run, variable: &str, shown: &Shown) -> Curve {
 }
 
 /// The time after the last drive of the last run has stopped.
-fn rest(runs: &[Run], results: &Results) -> Option<(f64, f64, String)> {
-    let end = *runs.first()?.recording.times.last()?;
-    (results.rest_from < end).then(|| (results.rest_from, end, "all drives at rest".to_owned()))
+fn rest(runs: &[Run], results: &Results) -> Vec<(f64, f64, String)> {
+    let end = runs.first().and_then(|run| run.recording.times.last().copied());
+    let rest = end.filter(|end| results.rest_from < *end);
+    rest.map(|end| (results.rest_from, end, "all drives at rest".to_owned())).into_iter().collect()
 }

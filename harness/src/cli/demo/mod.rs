@@ -4,7 +4,7 @@
 mod figures;
 mod results;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use serde_json::json;
 use swayless::package;
@@ -13,7 +13,8 @@ use swayless::{CsvWriter, Observer, Options, Recording, Summary, System, simulat
 use swayless_modeldesc::types::FmiVersion;
 
 use super::console::Progress;
-use super::{Failure, Outcome, build, console, run::write_failed};
+use super::files::{write, write_failed};
+use super::{Failure, Outcome, build, console};
 
 /// Build the FMUs and let an operator drive the example's boom crane, with and without input shaping.
 ///
@@ -167,14 +168,5 @@ fn write_report(arguments: &Arguments, runs: &[Run], results: &results::Results)
     if let Some(path) = &arguments.picture {
         write(path, &svg::picture(&figures::picture(runs, results), 960, 640)?)?;
     }
-    Ok(())
-}
-
-fn write(path: &Path, text: &str) -> Result<(), Failure> {
-    if let Some(folder) = path.parent() {
-        std::fs::create_dir_all(folder).map_err(|source| write_failed(folder, source))?;
-    }
-    std::fs::write(path, text).map_err(|source| write_failed(path, source))?;
-    console::note(format_args!("Wrote {}", path.display()));
     Ok(())
 }

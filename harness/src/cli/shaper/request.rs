@@ -1,0 +1,251 @@
+//! From the arguments to what shapers are compared for.
+
+use std::f64::consts::TAU;
+use std::ops::RangeInclusive;
+
+use swayless::Error;
+use swayless::shapers::{Request, UncertainMode};
+use swayless_shaping::{Band, Kind, Mode, double_pendulum, pendulum};
+
+use super::Arguments;
+
+/// What is asked, and the words it was asked in.
+pub struct Question {
+    pub request: Request,
+    pub given: Given,
+}
+
+/// What the modes and their ranges were given as.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Given {
+    /// The length (m) of a cable under gravity (m/s²).
+    Length { length: f64, gravity: f64 },
+    /// rad/s.
+    Frequency,
+    /// Hz.
+    Hertz,
+}
+
+/// Ranges may go so far from the mode's frequency, as a factor: where insensitivity stops looking, too.
+const FARTHEST: f64 = 20.0;
+
+/// What swings with more damping than this hardly swings.
+const HIGHEST_DAMPING: f64 = 0.99;
+
+/// Less residual vibration than this is none.
+const LEAST_SHARE: f64 = 0.001;
+
+/// A range as it is written.
+pub fn range(text: &str) -> Result<(f64, f64), String> {
+    let (low, high) = text.split_once("..").ok_or("expected LOW..HIGH, such as 8..12")?;
+    let number = |text: &str| text.trim().parse::<f64>().map_err(|_| format!("`{text}` is no number"));
+    Ok((number(low)?, number(high)?))
+}
+
+impl Question {
+    /// Checks all arguments; tells all that is wrong.
+    pub fn of(arguments: &Arguments) -> Result<Self, Error> {
+        let mut check = Check::default();
+        let given = match arguments.length {
+            Some(length) => Given::Length { length, gravity: arguments.gravity },
+            None if arguments.hertz.is_empty() => Given::Frequency,
+            None => Given::Hertz,
+        };
+        check.positive("--gravity", arguments.gravity, "m/s²");
+        check.share("--vibration-limit", arguments.vibration_limit);
+        let level = arguments.level.unwrap_or(arguments.vibration_limit);
+        check.share("--level", level);
+        if !(0.0..2.0).contains(&arguments.insensitivity) {
+            check.wrong("--insensitivity", arguments.insensitivity, "must be at least 0 and less than 2; 0.4 is ±20 %");
+        }
+        for damping in &arguments.damping {
+            if !(0.0..=HIGHEST_DAMPING).contains(damping) {
+                let text =
+                    format!("must be at least 0 and at most {HIGHEST_DAMPING}; a load on a cable has about 0.01");
+                check.wrong("--damping", damping, &text);
+            }
+        }
+        if arguments.base_kind.len() > 2 {
+            let text = format!("is given {} times; a shaper is for one mode or two", arguments.base_kind.len());
+            check.problem("--base-kind", &text);
+        }
+        let frequencies = frequencies(arguments, &mut check);
+        check.all()?;
+        let mut modes = Vec::new();
+        if arguments.damping.len() > frequencies.len().max(1) {
+            let text = format!(
+                "is given {} times, for {} mode(s); give one for each",
+                arguments.damping.len(),
+                frequencies.len()
+            );
+            check.problem("--damping", &text);
+        }
+        for (place, (option, value, frequency)) in frequencies.iter().enumerate() {
+            let damping = arguments.damping.get(place).or(arguments.damping.first()).copied().unwrap_or_default();
+            match Mode::new(*frequency, damping) {
+                Ok(mode) => modes.push(mode),
+                Err(error) => {
+                    let gravity = match given {
+                        Given::Length { gravity, .. } => format!("` with `--gravity {gravity}"),
+                        _ => String::new(),
+                    };
+                    check.wrong(option, format!("{value}{gravity}"), &error.to_string());
+                }
+            }
+        }
+        check.all()?;
+        let modes = ranges(arguments, given, &modes, &mut check);
+        check.all()?;
+        let kinds = if arguments.kind.is_empty() { Kind::ALL.to_vec() } else { unique(&arguments.kind) };
+        let base_kinds = match arguments.base_kind.as_slice() {
+            [] => [Kind::ZV; 2],
+            [both] => [*both; 2],
+            [first, second, ..] => [*first, *second],
+        };
+        let solution = arguments.solution;
+        let vibration_limit = arguments.vibration_limit;
+        let request = Request { modes, vibration_limit, level, base_kinds, solution, kinds };
+        Ok(Self { request, given })
+    }
+}
+
+fn unique(kinds: &[Kind]) -> Vec<Kind> {
+    let mut found = Vec::new();
+    for kind in kinds {
+        if !found.contains(kind) {
+            found.push(*kind);
+        }
+    }
+    found
+}
+
+/// The modes' frequencies in rad/s, each with the option and the value that it comes from.
+fn frequencies(arguments: &Arguments, check: &mut Check) -> Vec<(&'static str, f64, f64)> {
+    if let Some(length) = arguments.length {
+        check.positive("--length", length, "m");
+        if let (Some(rigging), Some(ratio)) = (arguments.rigging_length, arguments.mass_ratio) {
+            check.positive("--rigging-length", rigging, "m");
+            if !(ratio >= 0.0 && ratio.is_finite()) {
+                check.wrong("--mass-ratio", ratio, "must be finite and at least 0");
+            }
+        }
+        return of_length(arguments, length).into_iter().map(|frequency| ("--length", length, frequency)).collect();
+    }
+    let (option, unit, values) = match arguments.hertz.is_empty() {
+        true => ("--frequency", "rad/s", &arguments.frequency),
+        false => ("--hertz", "Hz", &arguments.hertz),
+    };
+    if values.len() > 2 {
+        check.problem(option, &format!("is given {} times; a shaper is for one mode or two", values.len()));
+    }
+    values.iter().for_each(|value| check.positive(option, *value, unit));
+    let factor = if option == "--hertz" { TAU } else { 1.0 };
+    values.iter().map(|value| (option, *value, factor * value)).collect()
+}
+
+/// The frequencies of the modes at a length of the cable.
+fn of_length(arguments: &Arguments, length: f64) -> Vec<f64> {
+    match (arguments.rigging_length, arguments.mass_ratio) {
+        (Some(rigging), Some(ratio)) => double_pendulum(arguments.gravity, length, rigging, ratio).to_vec(),
+        _ => vec![pendulum(arguments.gravity, length)],
+    }
+}
+
+/// The modes with their ranges.
+fn ranges(arguments: &Arguments, given: Given, modes: &[Mode], check: &mut Check) -> Vec<UncertainMode> {
+    let needed = if matches!(given, Given::Length { .. }) { 1 } else { modes.len() };
+    if !arguments.range.is_empty() && arguments.range.len() != needed {
+        let text = format!(
+            "is given {} time(s); it must be given {needed} time(s), in the order of the modes",
+            arguments.range.len()
+        );
+        check.problem("--range", &text);
+        return Vec::new();
+    }
+    for (low, high) in &arguments.range {
+        if !(*low > 0.0 && low <= high && high.is_finite()) {
+            check.wrong("--range", format!("{low}..{high}"), "must be greater than 0 and finite, the lower end first");
+        }
+    }
+    let mut uncertain = Vec::new();
+    for (place, &mode) in modes.iter().enumerate() {
+        let range = match (given, arguments.range.as_slice()) {
+            (_, []) => around(mode, arguments.insensitivity),
+            // The longer the slower.
+            (Given::Length { .. }, [(low, high), ..]) => {
+                of_length(arguments, *high)[place]..=of_length(arguments, *low)[place]
+            }
+            (Given::Frequency, all) => all[place].0..=all[place].1,
+            (Given::Hertz, all) => TAU * all[place].0..=TAU * all[place].1,
+        };
+        let near = mode.frequency() / FARTHEST..=mode.frequency() * FARTHEST;
+        let low = mode.frequency().min(*range.start());
+        let is_near = [range.start(), range.end()].iter().all(|end| near.contains(end));
+        if !arguments.range.is_empty() && !is_near {
+            let (low, high) = arguments.range[place.min(needed - 1)];
+            let text =
+                format!("goes more than {FARTHEST} times from the mode's {} rad/s; bring it nearer", mode.frequency());
+            check.wrong("--range", format!("{low}..{high}"), &text);
+        } else if Mode::new(low, mode.damping_ratio()).is_err() {
+            check.wrong(
+                "--insensitivity",
+                arguments.insensitivity,
+                "makes a range that ends at no usable frequency; lower it",
+            );
+        }
+        uncertain.push(UncertainMode { mode, range });
+    }
+    uncertain
+}
+
+fn around(mode: Mode, insensitivity: f64) -> RangeInclusive<f64> {
+    // The insensitivity has been checked.
+    Band::around(mode.frequency(), insensitivity)
+        .map_or(mode.frequency()..=mode.frequency(), |band| band.lower..=band.upper)
+}
+
+/// All that is wrong with the arguments, by the names of the options.
+#[derive(Default)]
+struct Check(Vec<Error>);
+
+impl Check {
+    fn problem(&mut self, option: &str, text: &str) {
+        self.0.push(Error::Option(format!("`{option}` {text}")));
+    }
+
+    fn wrong(&mut self, option: &str, value: impl std::fmt::Display, text: &str) {
+        self.0.push(Error::Option(format!("`{option} {value}`: {text}")));
+    }
+
+    fn positive(&mut self, option: &str, value: f64, unit: &str) {
+        if !(value > 0.0 && value.is_finite()) {
+            self.wrong(option, value, &format!("must be finite and greater than 0 ({unit})"));
+        }
+    }
+
+    fn share(&mut self, option: &str, value: f64) {
+        if !(LEAST_SHARE..1.0).contains(&value) {
+            self.wrong(option, value, &format!("must be at least {LEAST_SHARE} and less than 1; 0.05 is 5 %"));
+        }
+    }
+
+    fn all(&mut self) -> Result<(), Error> {
+        match self.0.len() {
+            0 => Ok(()),
+            1 => Err(self.0.remove(0)),
+            _ => Err(Error::Several(std::mem::take(&mut self.0))),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ranges_are_split_at_two_dots() {
+        assert_eq!(range("8..12"), Ok((8.0, 12.0)));
+        assert_eq!(range(" 0.5 .. 1e1"), Ok((0.5, 10.0)));
+        assert!(range("8-12").is_err() && range("8..x").is_err() && range("..").is_err());
+    }
+}

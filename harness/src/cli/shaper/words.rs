@@ -1,0 +1,117 @@
+//! The recommendation, and why kinds are missing, in words.
+
+use swayless::shapers::{Candidate, Figures, Recommendation, Refusal, recommendation};
+use swayless_shaping::{Kind, Quantity};
+
+use super::request::Question;
+use crate::cli::console::significant;
+
+/// A share in percent.
+pub fn percent(share: f64) -> String {
+    // What is left of rounding is nothing.
+    if share < 1e-9 { "0 %".to_owned() } else { format!("{} %", significant(100.0 * share, 3)) }
+}
+
+/// A time.
+pub fn seconds(time: f64) -> String {
+    format!("{} s", significant(time, 4))
+}
+
+/// The kinds that there is no shaper of, each with the reason.
+pub fn refusals(candidates: &[Candidate]) -> Option<String> {
+    let reason = |candidate: &Candidate| Some(format!("\n  {}", refusal(candidate)?));
+    let reasons: String = candidates.iter().filter_map(reason).collect();
+    (!reasons.is_empty()).then(|| format!("Not to be had here:{reasons}"))
+}
+
+/// Why there is no shaper of a kind, and what to change.
+pub fn refusal(candidate: &Candidate) -> Option<String> {
+    let error = candidate.result.as_ref().err()?;
+    let (kind, text) = (candidate.kind.name(), error.to_string());
+    let option = match error {
+        Refusal::NoAccelerationLimit => {
+            return Some(format!("{kind} {text} (`--acceleration-limit` and `--velocity-limit`)"));
+        }
+        Refusal::NoTimeConstants => {
+            return Some(format!("{kind} {text} (`--acceleration-time-constant` and `--braking-time-constant`)"));
+        }
+        Refusal::Specification(error) => option(error.quantity()),
+    };
+    let text = if text.starts_with(kind) { text } else { format!("{kind}: {text}") };
+    Some(format!("{text} ({option})"))
+}
+
+/// The option to change.
+fn option(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::Kind => "`--kind`",
+        Quantity::Frequency(0) => "`--length`, `--frequency` or `--hertz`",
+        Quantity::Frequency(_) => "`--frequency` or `--hertz` given twice, or `--rigging-length` and `--mass-ratio`",
+        Quantity::DampingRatio(_) => "`--damping`",
+        Quantity::VibrationLimit => "`--vibration-limit`",
+        Quantity::Insensitivity => "`--range` or `--insensitivity`",
+        Quantity::AccelerationLimit => "`--acceleration-limit`",
+        Quantity::VelocityLimit => "`--velocity-limit`",
+        Quantity::AccelerationTimeConstant => "`--acceleration-time-constant`",
+        Quantity::BrakingTimeConstant => "`--braking-time-constant`",
+        Quantity::BaseKind(_) => "`--base-kind`",
+        Quantity::Solution => "`--solution`",
+    }
+}
+
+/// What to take and why.
+pub fn recommendation(question: &Question, candidates: &[Candidate], found: Recommendation) -> String {
+    let request = &question.request;
+    let limit = percent(request.vibration_limit);
+    let range = if request.modes.len() > 1 { "both ranges" } else { "the range" };
+    let at = |place: usize| candidates[place].figures().map(|figures| (candidates[place].name(), figures));
+    let Some((name, choice)) = at(found.choice) else {
+        return String::new();
+    };
+    let (worst, cost) = (percent(choice.worst()), seconds(choice.design.duration()));
+    let mut sentences = match found.holds {
+        true => vec![format!(
+            "Take {name}: it keeps the residual vibration at or below {limit} over {range} ({worst} at most) and delays \
+             the command by {cost}."
+        )],
+        false => vec![
+            format!("None of these keeps the residual vibration at or below {limit} over {range}."),
+            format!("{name} comes closest: {worst} at most, for a delay of {cost}."),
+            match candidates.len() < Kind::ALL.len() {
+                true => "To hold the limit, raise it, narrow the range, or compare all kinds.".to_owned(),
+                false => "To hold the limit, raise it or narrow the range.".to_owned(),
+            },
+        ],
+    };
+    if choice.exceeds_command() {
+        sentences.push(format!("It has {}.", negative(choice)));
+    }
+    if let Some((name, other)) = found.runner_up.and_then(at) {
+        let longer = other.design.duration() - choice.design.duration();
+        let length = match longer / choice.design.duration() {
+            share if share.abs() <= recommendation::AS_LONG => "about as long".to_owned(),
+            share if share > 0.0 => format!("{} longer", seconds(longer)),
+            _ => format!("{} shorter", seconds(-longer)),
+        };
+        let holds = recommendation::holds(other, request.vibration_limit);
+        let but = if found.holds && !holds { "but" } else { "and" };
+        let with = if other.exceeds_command() { format!(", with {}", negative(other)) } else { String::new() };
+        sentences.push(format!("Runner-up: {name}, {length}, {but} leaves up to {}{with}.", percent(other.worst())));
+    }
+    if let Some((name, other)) = found.quicker.and_then(at) {
+        let sooner = seconds(choice.design.duration() - other.design.duration());
+        sentences.push(format!("{name} holds the limit too, {sooner} sooner, but has {}.", negative(other)));
+    }
+    if let Some((name, other)) = found.quickest.and_then(at) {
+        let (cost, worst) = (seconds(other.design.duration()), percent(other.worst()));
+        sentences.push(format!("{name} would delay the command by {cost} only, and leave up to {worst}."));
+    }
+    sentences.join(" ")
+}
+
+fn negative(figures: &Figures) -> String {
+    format!(
+        "negative impulses: the shaped command may reach {} times the command’s range, and the drive has to follow",
+        significant(figures.gain, 3)
+    )
+}

@@ -1,0 +1,79 @@
+//! Shapers of all kinds side by side: what each costs, what it leaves, and which to take.
+
+mod candidate;
+pub mod recommendation;
+
+use std::ops::RangeInclusive;
+
+use swayless_shaping::{Kind, Mode, Specification};
+
+pub use candidate::{Candidate, Figures, OfMode, Refusal};
+pub use recommendation::{Recommendation, recommend};
+
+/// What shapers are compared for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Request {
+    /// One mode, or two.
+    pub modes: Vec<UncertainMode>,
+    /// Residual vibration that is allowed, as a share of the unshaped one.
+    pub vibration_limit: f64,
+    /// Residual vibration at which insensitivity is measured.
+    pub level: f64,
+    /// What `Convolved` is made of.
+    pub base_kinds: [Kind; 2],
+    /// Which of the solutions of `MinimumImpulse`, from 1.
+    pub solution: usize,
+    /// The kinds to compare.
+    pub kinds: Vec<Kind>,
+}
+
+/// A mode that is not known exactly.
+#[derive(Debug, Clone, PartialEq)]
+pub struct UncertainMode {
+    /// What shapers are designed for.
+    pub mode: Mode,
+    /// The frequencies (rad/s) that it may have.
+    pub range: RangeInclusive<f64>,
+}
+
+impl Request {
+    /// The shapers of all its kinds, in their order.
+    pub fn candidates(&self) -> Vec<Candidate> {
+        self.kinds.iter().map(|kind| Candidate::new(self, *kind)).collect()
+    }
+
+    /// What is asked of a kind for the first mode alone, or for both.
+    fn specification(&self, kind: Kind, both: bool) -> Specification {
+        let first = &self.modes[0];
+        let second = self.modes.get(1).filter(|_| both).map(|second| second.mode);
+        let plain = Specification {
+            vibration_limit: self.vibration_limit,
+            base_kinds: self.base_kinds,
+            solution: self.solution,
+            ..Specification::new(kind, first.mode)
+        };
+        match kind {
+            // These are for ranges, in the middle of which their design frequencies are, and both as wide as the wider.
+            Kind::SI | Kind::MultiModeSI => {
+                let widths = self.modes.iter().take(if both { 2 } else { 1 }).map(UncertainMode::insensitivity);
+                let second = second.and(self.modes.get(1)).map(UncertainMode::middle);
+                let insensitivity = widths.fold(0.0, f64::max);
+                Specification { modes: [Some(first.middle()), second], insensitivity, ..plain }
+            }
+            _ => Specification { modes: [Some(first.mode), second], ..plain },
+        }
+    }
+}
+
+impl UncertainMode {
+    /// The mode with the frequency in the middle of the range.
+    fn middle(&self) -> Mode {
+        let middle = 0.5 * (self.range.start() + self.range.end());
+        Mode::new(middle, self.mode.damping_ratio()).unwrap_or(self.mode)
+    }
+
+    /// The full width of the range over its middle.
+    fn insensitivity(&self) -> f64 {
+        (self.range.end() - self.range.start()) / self.middle().frequency()
+    }
+}

@@ -1,0 +1,171 @@
+//! Which shaper to take. The rules:
+//!
+//! 1. A shaper *holds* if what it leaves is at most the vibration limit over the whole range of every mode.
+//! 2. It is *safe* if it has no negative impulse: whatever the command, the shaped one stays within the command's range, so a
+//!    drive that can follow the command can follow it.
+//! 3. The choice is the quickest shaper that holds and is safe. Where there is none, it is the quickest that holds; and where
+//!    none holds, the safe one, else any, that leaves least.
+//! 4. Shapers whose durations differ by at most [`AS_LONG`] count as equally long; of those the one that leaves least is taken.
+//! 5. The runner-up is what would be chosen of the others that are safe and as long as the choice; where there is none, of all
+//!    others.
+//! 6. Named beside them are a quicker one that holds but is not safe, and the quickest safe one of all, since what is waited
+//!    for is worth knowing.
+
+use std::cmp::Ordering;
+
+use swayless_shaping::Kind;
+
+use super::{Candidate, Figures};
+
+/// Durations that differ by less than this share count as the same.
+pub const AS_LONG: f64 = 0.01;
+
+/// By this share V may be above the limit: as exactly as it is shown.
+const TOUCHING: f64 = 1e-3;
+
+/// By this much it may always be, for a limit of 0.
+const ROUNDING: f64 = 1e-9;
+
+/// Which shapers to take, by their places among the candidates.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Recommendation {
+    /// The one to take.
+    pub choice: usize,
+    /// Whether it holds the vibration limit over the whole range.
+    pub holds: bool,
+    /// The one to take if that is not to be had.
+    pub runner_up: Option<usize>,
+    /// One that holds the limit sooner than the choice, by negative impulses.
+    pub quicker: Option<usize>,
+    /// The quickest without negative impulses, if it is sooner than the choice and not the runner-up.
+    pub quickest: Option<usize>,
+}
+
+/// A candidate as the rules see it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Seen {
+    place: usize,
+    duration: f64,
+    worst: f64,
+    holds: bool,
+    safe: bool,
+}
+
+/// Applies the rules; `None` where no shaper was designed at all. No shaping is not a shaper.
+pub fn recommend(candidates: &[Candidate], vibration_limit: f64) -> Option<Recommendation> {
+    let seen = |(place, candidate): (usize, &Candidate)| {
+        let figures = candidate.figures().filter(|_| candidate.kind != Kind::None)?;
+        Some(Seen {
+            place,
+            duration: figures.design.duration(),
+            worst: figures.worst(),
+            holds: holds(figures, vibration_limit),
+            safe: !figures.exceeds_command(),
+        })
+    };
+    rules(&candidates.iter().enumerate().filter_map(seen).collect::<Vec<_>>())
+}
+
+/// Rule 1.
+pub fn holds(figures: &Figures, vibration_limit: f64) -> bool {
+    figures.worst() <= vibration_limit * (1.0 + TOUCHING) + ROUNDING
+}
+
+fn rules(seen: &[Seen]) -> Option<Recommendation> {
+    let choice = choose(seen)?;
+    let others: Vec<Seen> = seen.iter().filter(|other| other.place != choice.place).copied().collect();
+    let as_long = |other: &&Seen| other.safe && (other.duration - choice.duration).abs() <= AS_LONG * choice.duration;
+    let equals: Vec<Seen> = others.iter().filter(as_long).copied().collect();
+    let runner_up = choose(&equals).or_else(|| choose(&others));
+    let sooner = |wanted: fn(&Seen) -> bool| {
+        let sooner = |other: &Seen| other.duration < choice.duration * (1.0 - AS_LONG);
+        let found = others.iter().filter(|other| wanted(other) && sooner(other)).copied();
+        quickest(&found.collect::<Vec<_>>()).filter(|found| Some(found.place) != runner_up.map(|other| other.place))
+    };
+    Some(Recommendation {
+        choice: choice.place,
+        holds: choice.holds,
+        runner_up: runner_up.map(|other| other.place),
+        quicker: sooner(|other| other.holds && !other.safe).map(|other| other.place),
+        quickest: sooner(|other| other.safe).map(|other| other.place),
+    })
+}
+
+/// Rule 3.
+fn choose(seen: &[Seen]) -> Option<Seen> {
+    let of = |wanted: fn(&Seen) -> bool| seen.iter().filter(|one| wanted(one)).copied().collect::<Vec<_>>();
+    quickest(&of(|one| one.holds && one.safe))
+        .or_else(|| quickest(&of(|one| one.holds)))
+        .or_else(|| of(|one| one.safe).into_iter().min_by(quieter))
+        .or_else(|| seen.iter().copied().min_by(quieter))
+}
+
+/// Rule 4.
+fn quickest(seen: &[Seen]) -> Option<Seen> {
+    let shortest = seen.iter().map(|one| one.duration).fold(f64::INFINITY, f64::min);
+    seen.iter().filter(|one| one.duration <= shortest * (1.0 + AS_LONG)).copied().min_by(quieter)
+}
+
+fn quieter(one: &Seen, other: &Seen) -> Ordering {
+    one.worst.total_cmp(&other.worst).then(one.duration.total_cmp(&other.duration))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn seen(list: &[(f64, f64, bool)]) -> Vec<Seen> {
+        let one = |(place, &(duration, worst, safe)): (usize, &(f64, f64, bool))| Seen {
+            place,
+            duration,
+            worst,
+            holds: worst <= 0.05,
+            safe,
+        };
+        list.iter().enumerate().map(one).collect()
+    }
+
+    #[track_caller]
+    fn check(list: &[(f64, f64, bool)], choice: usize, runner_up: Option<usize>, beside: [Option<usize>; 2]) {
+        let holds = list[choice].1 <= 0.05;
+        let [quicker, quickest] = beside;
+        assert_eq!(rules(&seen(list)), Some(Recommendation { choice, holds, runner_up, quicker, quickest }));
+    }
+
+    #[test]
+    fn the_quickest_that_holds_and_is_safe() {
+        // too loud, right, right but longer
+        check(&[(0.5, 0.3, true), (1.0, 0.04, true), (1.5, 0.01, true)], 1, Some(2), [None, Some(0)]);
+    }
+
+    #[test]
+    fn of_two_as_long_the_quieter() {
+        check(&[(1.0, 0.04, true), (1.009, 0.03, true)], 1, Some(0), [None, None]);
+        check(&[(1.0, 0.04, true), (1.011, 0.03, true)], 0, Some(1), [None, None]);
+    }
+
+    #[test]
+    fn the_runner_up_is_as_long_or_holds_too() {
+        check(&[(1.0, 0.04, true), (1.0, 0.1, true), (1.5, 0.01, true)], 0, Some(1), [None, None]);
+        check(&[(1.0, 0.04, true), (0.5, 0.1, true), (1.5, 0.01, true)], 0, Some(2), [None, Some(1)]);
+        check(&[(1.0, 0.04, true), (1.0, 0.1, false), (1.5, 0.01, true)], 0, Some(2), [None, None]);
+    }
+
+    #[test]
+    fn negative_impulses_are_named_but_not_chosen() {
+        check(&[(0.7, 0.04, false), (1.0, 0.04, true)], 1, Some(0), [None, None]);
+        check(&[(0.7, 0.04, false), (1.0, 0.04, true), (2.0, 0.0, true)], 1, Some(2), [Some(0), None]);
+    }
+
+    #[test]
+    fn negative_impulses_are_chosen_where_nothing_else_holds() {
+        check(&[(0.7, 0.04, false), (1.0, 0.06, true)], 0, Some(1), [None, None]);
+    }
+
+    #[test]
+    fn where_nothing_holds_the_quietest_that_is_safe() {
+        check(&[(0.5, 0.3, true), (1.0, 0.1, true), (0.7, 0.06, false)], 1, Some(0), [None, None]);
+        check(&[(0.7, 0.06, false)], 0, None, [None, None]);
+        assert_eq!(rules(&[]), None);
+    }
+}
