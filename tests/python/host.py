@@ -219,34 +219,44 @@ def exchange(instance, until, cvode, time):
     return events
 
 
-def scale(variable):
-    """How far a sequence moves an input from its start value."""
-    start = float(variable.start or 0.0)
+def scale(variable, start):
+    """How far a sequence moves an input, or an element of one, from its start value."""
     if start != 0.0:
         return 0.1 * abs(start)
     return {"N": 100.0, "m/s": 0.3, "rad/s": 0.05, None: 0.5}.get(variable.unit, 0.1)
 
 
 def sequence(fmu, k):
-    """The values of all inputs in the k-th interval: deterministic, different for each, in range, without drift."""
-    values = {}
-    for i, v in enumerate(fmu.inputs):
-        level = (0.0, 1.0, 1.0, 0.0, -1.0, -1.0, 0.0, 0.5, -0.5, 0.0)[(k + 3 * i) % 10]
-        if v.type in FLOATS:
-            value = float(v.start or 0.0) + level * scale(v)
-            low = -math.inf if v.min is None else float(v.min)
-            high = math.inf if v.max is None else float(v.max)
-            value = min(max(value, low), high)
-        elif v.type == "Boolean":
-            value = level > 0.0
-        elif v.type == "Enumeration":
-            value = int(v.declaredType.items[(k + i) % len(v.declaredType.items)].value)
-        elif v.type == "String":
-            value = v.start or ""
-        else:
-            value = int(v.start or 0) + round(level)
-        values[v.name] = [value] * math.prod(v.shape) if v.shape else value
+    """The values of all inputs in the k-th interval: deterministic, different for each, in range, without drift.
+
+    An element counts for itself, so that it has the same value in both versions.
+    """
+    values, i = {}, 0
+    for v in fmu.inputs:
+        count = math.prod(v.shape or ())
+        starts = (v.start or "").split() if v.shape else [v.start]
+        found = [in_sequence(v, start, k, i + j) for j, start in enumerate(starts or [None] * count)]
+        assert len(found) == count, v.name
+        values[v.name] = found if v.shape else found[0]
+        i += count
     return values
+
+
+def in_sequence(v, start, k, i):
+    """The value of the i-th input, or element of one, in the k-th interval."""
+    level = (0.0, 1.0, 1.0, 0.0, -1.0, -1.0, 0.0, 0.5, -0.5, 0.0)[(k + 3 * i) % 10]
+    if v.type in FLOATS:
+        start = float(start or 0.0)
+        low = -math.inf if v.min is None else float(v.min)
+        high = math.inf if v.max is None else float(v.max)
+        return min(max(start + level * scale(v, start), low), high)
+    if v.type == "Boolean":
+        return level > 0.0
+    if v.type == "Enumeration":
+        return int(v.declaredType.items[(k + i) % len(v.declaredType.items)].value)
+    if v.type == "String":
+        return start or ""
+    return int(start or 0) + round(level)
 
 
 def co_simulate(instance, parameters, tolerance=None, stop=20.0):

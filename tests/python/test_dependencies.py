@@ -19,7 +19,8 @@ def others(variable):
             high = math.inf if variable.max is None else float(variable.max)
             yield [min(max(number, low), high) for number in moved]
     elif variable.type == "Boolean":
-        yield start != "true"
+        turned = [word != "true" for word in (start or "false").split()]
+        yield turned if variable.shape else turned[0]
     elif variable.type == "Enumeration":
         yield from (int(item.value) for item in variable.declaredType.items if str(item.value) != str(start))
     elif variable.type in ("Integer", "Int32"):

@@ -18,7 +18,7 @@ class Lines:
         self.instance = instance
         self.inputs = [v for v in instance.fmu.inputs if v.type in FLOATS and v.variability == "continuous"]
         self.references = [v.valueReference for v in self.inputs]
-        self.slopes = [steepness * scale(v) * (-1.0) ** i / STOP for i, v in enumerate(self.inputs)]
+        self.slopes = [steepness * scale(v, float(v.start or 0.0)) * (-1.0) ** i / STOP for i, v in enumerate(self.inputs)]
         self.orders = [1] * len(self.inputs)
 
     def apply(self, time):

@@ -8,14 +8,14 @@ from host import HOLD, STEP, sequence
 
 def signals(fmu, stop):
     """The inputs' sequences as FMPy wants them: two rows at each instant where values jump."""
-    if not fmu.inputs:
+    # FMPy cannot give arrays together with scalars; they stay as they are.
+    inputs = [v for v in fmu.inputs if not v.shape]
+    if not inputs:
         return None
-    columns = [("time", float)]
-    for v in fmu.inputs:
-        columns.append((v.name, float, v.shape) if v.shape else (v.name, float))
+    columns = [("time", float)] + [(v.name, float) for v in inputs]
     rows = []
     for k in range(round(stop / (STEP * HOLD))):
-        values = tuple(sequence(fmu, k)[v.name] for v in fmu.inputs)
+        values = tuple(sequence(fmu, k)[v.name] for v in inputs)
         rows += [(k * STEP * HOLD, *values), ((k + 1) * STEP * HOLD, *values)]
     return np.array(rows, dtype=columns)
 

@@ -3,6 +3,7 @@
 use swayless_export::{Environment, Event, Info, Model, Point, Problem, Scalar, Terminal, export_fmu};
 
 mod profile;
+mod pulses;
 mod table;
 mod variables;
 
@@ -19,7 +20,7 @@ const TERMINALS: &[Terminal] =
 impl Model for CommandSource {
     const INFO: Info = Info {
         name: "CommandSource",
-        description: "Source of an operator's command: constant, step, pulse, trapezoid or playback of a CSV file",
+        description: "Source of an operator's command: constant, step, pulse, trapezoid, playback of a CSV file, partly shaped pulse or hoist pulses",
         documentation: include_str!("../README.md"),
         icon: include_str!("../icon.svg"),
         terminals: TERMINALS,

@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 use swayless_export::{Environment, Problem};
 
-use crate::table;
 use crate::variables::{Interpolation, Kind, Parameters};
+use crate::{pulses, table};
 
 /// A straight piece: value + slope · (t − begin), until the next begins.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -18,7 +18,8 @@ pub struct Segment {
 }
 
 impl Segment {
-    fn level(begin: f64, value: f64) -> Self {
+    /// A level piece.
+    pub fn level(begin: f64, value: f64) -> Self {
         Self { begin, value, slope: 0.0 }
     }
 }
@@ -34,6 +35,11 @@ pub fn check(p: &Parameters<f64>) -> Vec<Problem> {
     }
     if p.kind == Kind::Playback && p.file.is_empty() {
         problems.push(Problem::new("file", "is empty; kind = Playback needs the name of a CSV file"));
+    }
+    if p.kind == Kind::HoistPulses && p.amplitude < -pulses::LIGHTEST * p.gravity {
+        let (least, gravity) = (-pulses::LIGHTEST * p.gravity, p.gravity);
+        let message = format!("is {} m/s²; with a gravity of {gravity} m/s² it must be at least {least}", p.amplitude);
+        problems.push(Problem::new("amplitude", message));
     }
     problems
 }
@@ -60,6 +66,8 @@ pub fn segments(p: &Parameters<f64>, environment: &Environment<'_>) -> Result<Ve
                 Segment::level(end + p.ramp_time, 0.0),
             ]
         }
+        Kind::PartlyShaped => pulses::partly_shaped(p)?,
+        Kind::HoistPulses => pulses::hoist_pulses(p),
         Kind::Playback => playback(&table::read(p, environment)?, begin, p.interpolation),
     })
 }

@@ -14,6 +14,10 @@ pub enum Kind {
     Trapezoid,
     /// A column of a CSV file over its time column.
     Playback,
+    /// A pulse that is shaped where it begins, where it ends, or at both: the luffing command of fig. 2.16.
+    PartlyShaped,
+    /// Pulses of vertical acceleration, up and down in turn, that take swing away.
+    HoistPulses,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Enumeration)]
@@ -29,13 +33,13 @@ pub struct Parameters<R: Scalar> {
     /// Shape of the command.
     #[variable(start = Kind::Constant)]
     pub kind: Kind,
-    /// Height of the command.
+    /// Height of the command; of hoist pulses, the first acceleration, positive upwards.
     #[variable(start = 1.0)]
     pub amplitude: R,
     /// When the command begins; a playback begins there with time 0 of its file.
     #[variable(unit = "s")]
     pub start_time: R,
-    /// Length of a pulse; of a trapezoid, from its begin to the begin of its falling ramp.
+    /// Length of a pulse; of a trapezoid or a partly shaped pulse, from its begin to the begin of its fall.
     #[variable(unit = "s", start = 1.0, min = 0.0)]
     pub duration: R,
     /// Length of each ramp of a trapezoid.
@@ -48,6 +52,38 @@ pub struct Parameters<R: Scalar> {
     /// What holds between the rows of a playback.
     #[variable(start = Interpolation::Hold)]
     pub interpolation: Interpolation,
+    pub mode: ModeParameters<R>,
+    pub shaped: ShapedParameters,
+    pub pulse: PulseParameters,
+    /// Gravity, for hoist pulses.
+    #[variable(unit = "m/s2", start = 9.81, min = 1e-3, max = 1e3)]
+    pub gravity: R,
+}
+
+#[derive(Clone, Variables)]
+pub struct ModeParameters<R: Scalar> {
+    /// Undamped natural frequency of the swing that a partly shaped pulse or hoist pulses are for.
+    #[variable(unit = "rad/s", start = 5.9, min = 1e-3, max = 1e6)]
+    pub frequency: R,
+    /// Its damping ratio, for a partly shaped pulse.
+    #[variable(unit = "1", min = 0.0, max = 0.99)]
+    pub damping_ratio: R,
+}
+
+#[derive(Clone, Variables)]
+pub struct ShapedParameters {
+    /// Whether the begin of a partly shaped pulse is shaped.
+    pub start: bool,
+    /// Whether its end is shaped.
+    #[variable(start = true)]
+    pub stop: bool,
+}
+
+#[derive(Clone, Variables)]
+pub struct PulseParameters {
+    /// How many hoist pulses there are; after an even number the hoist stands still.
+    #[variable(start = 2, min = 1, max = 1000)]
+    pub count: i32,
 }
 
 #[derive(Clone, Variables)]

@@ -18,6 +18,7 @@ pub struct Attributes {
     pub calculated: bool,
     pub length: Option<LitStr>,
     pub alias: Option<LitStr>,
+    pub name: Option<LitStr>,
     pub clock: Option<LitStr>,
     pub depends_on: Option<Expr>,
 }
@@ -38,6 +39,7 @@ impl Attributes {
                     "discrete" => found.discrete = true,
                     "calculated" => found.calculated = true,
                     "length" => found.length = Some(meta.value()?.parse()?),
+                    "name" => found.name = Some(meta.value()?.parse()?),
                     "alias" => found.alias = Some(meta.value()?.parse()?),
                     "clock" => found.clock = Some(meta.value()?.parse()?),
                     "unit" => found.unit = Some(meta.value()?.parse()?),
@@ -48,7 +50,7 @@ impl Attributes {
                     "depends_on" => found.depends_on = Some(meta.value()?.parse()?),
                     _ => {
                         return Err(meta.error(
-                            "unknown attribute: a variable has unit, start, min, max, nominal, output, tunable, \
+                            "unknown attribute: a variable has name, unit, start, min, max, nominal, output, tunable, \
                              discrete, calculated, length, alias, clock and depends_on",
                         ));
                     }

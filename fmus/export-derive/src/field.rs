@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
-use syn::{Error, Expr, Field, Ident, Result, Type};
+use syn::{Error, Expr, Field, Ident, LitStr, Result, Type};
 
 use crate::attributes::{Attributes, documentation};
 
@@ -57,7 +57,8 @@ impl Variable {
             Kind::Group(_) => String::new(),
             _ => documentation(&field.attrs, &ident)?,
         };
-        let name = ident.to_string().trim_start_matches("r#").to_string();
+        let field = || ident.to_string().trim_start_matches("r#").to_string();
+        let name = attributes.name.as_ref().map_or_else(field, LitStr::value);
         Ok(Self { ident, name, description, kind, attributes })
     }
 

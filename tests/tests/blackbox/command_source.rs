@@ -46,6 +46,68 @@ fn trapezoid() {
     gives(&shaped("Trapezoid", &[("ramp_time", 0.0.into())]), |t| if (1.5..3.75).contains(&t) { 0.7 } else { 0.0 });
 }
 
+/// (1, K)/(1 + K) at 0 and half a damped period, which here is 3/4 s: of either step, of both, of none.
+#[test]
+fn partly_shaped() {
+    let zeta: f64 = 0.1;
+    let frequency = std::f64::consts::PI / 0.75 / (1.0 - zeta * zeta).sqrt();
+    let first = 1.0 / (1.0 + (-zeta * std::f64::consts::PI / (1.0 - zeta * zeta).sqrt()).exp());
+    for (start, stop) in [(false, true), (true, false), (true, true), (false, false)] {
+        let more = [
+            ("mode.frequency", frequency.into()),
+            ("mode.damping_ratio", zeta.into()),
+            ("shaped.start", start.into()),
+            ("shaped.stop", stop.into()),
+            // The times in the middle between two communication points, so that rounding does not matter.
+            ("start_time", (1.5 + 1.0 / 128.0).into()),
+        ];
+        let half = |shaped: bool, since: f64| match since {
+            since if since < 0.0 => 0.0,
+            since if since < 0.75 && shaped => first,
+            _ => 1.0,
+        };
+        gives(&shaped("PartlyShaped", &more), |t| {
+            0.7 * (half(start, t - 1.5 - 1.0 / 128.0) - half(stop, t - 3.75 - 1.0 / 128.0))
+        });
+    }
+}
+
+/// Each for a quarter of its own period; after two the hoist is at rest.
+#[test]
+fn hoist_pulses_alternate_and_leave_the_hoist_at_rest() {
+    let gravity: f64 = 9.81;
+    for amplitude in [2.0_f64, -1.5] {
+        let values: [(&str, Set<'_>); 5] = [
+            ("kind", "HoistPulses".into()),
+            ("amplitude", amplitude.into()),
+            ("start_time", 0.5.into()),
+            ("mode.frequency", 2.0.into()),
+            ("pulse.count", 5.into()),
+        ];
+        let mut source = Instance::started("CommandSource", 1e-3, &values);
+        let (mut lengths, mut values, mut last) = (Vec::new(), Vec::new(), 0.0);
+        while source.time() < 6.0 {
+            source.step();
+            let value = source.get("command");
+            if value != last {
+                values.push(value);
+                lengths.push(source.time());
+            }
+            last = value;
+        }
+        let lengths: Vec<f64> = lengths.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        assert_eq!((values.len(), values[5], values[0]), (6, 0.0, amplitude));
+        assert_eq!((values[2], values[4], values[3]), (values[0], values[0], values[1]));
+        for (value, length) in values.iter().zip(&lengths) {
+            let quarter = std::f64::consts::FRAC_PI_2 / (2.0 * (1.0 + value / gravity).sqrt());
+            assert!((length - quarter).abs() <= 1e-3 + 1e-9, "{length} s, not {quarter} s");
+        }
+        // The velocities that the pulses give take each other back.
+        let quarter = |value: f64| value / (1.0 + value / gravity).sqrt();
+        assert!((quarter(values[0]) + quarter(values[1])).abs() < 1e-12, "{values:?}");
+    }
+}
+
 /// `data/command.csv`: times and values.
 const ROWS: [(f64, f64); 5] = [(0.0, 0.0), (0.5, 1.0), (1.25, 0.4), (3.0, -0.6), (7.125, 0.0)];
 

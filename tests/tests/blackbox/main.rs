@@ -6,6 +6,7 @@ mod braking_drive;
 mod bridge_crane;
 mod cartesian_controller;
 mod command_source;
+mod crane_supervisor;
 mod example_cartesian;
 mod example_drives;
 mod example_luffing;
