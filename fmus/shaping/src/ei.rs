@@ -21,6 +21,7 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::{Complex, SMatrix, SVector};
 
+use crate::continuation::Pace;
 use crate::even::Even;
 use crate::{DesignError, Kind, Mode, Shaper, binomial};
 
@@ -78,34 +79,13 @@ fn fit(z: f64, v: f64) -> Unknowns {
     Unknowns([1.0 - a1 - a3, a3, TAU * t2, 1.0, spread * spread])
 }
 
-/// Follows the solution from ζ = 0, where it is known, in steps as large as Newton's method takes. Where it ends before, the
-/// last damping ratio that has one.
+/// Follows the solution from ζ = 0, where it is known. Where it ends before, the last damping ratio that has one.
 fn continuation(zeta: f64, limit: f64) -> Result<Unknowns, f64> {
-    let (mut here, mut before) = ((0.0, undamped(limit)), None);
-    let mut step = 0.25 * zeta;
-    for _ in 0..200 {
-        let next = (here.0 + step).min(zeta);
-        if let Some(solution) = newton(extrapolate(here, before, next), next, limit) {
-            if next == zeta {
-                return Ok(solution);
-            }
-            before = Some(here);
-            here = (next, solution);
-            step *= 1.5;
-        } else {
-            step *= 0.5;
-            if step < 1e-4 * zeta {
-                break;
-            }
-        }
-    }
-    Err(here.0)
-}
-
-fn extrapolate(here: (f64, Unknowns), before: Option<(f64, Unknowns)>, zeta: f64) -> Unknowns {
-    let Some(before) = before else { return here.1 };
-    let share = (zeta - here.0) / (here.0 - before.0);
-    Unknowns(std::array::from_fn(|i| here.1.0[i] + share * (here.1.0[i] - before.1.0[i])))
+    let pace = Pace { first: 0.25 * zeta, growth: 1.5, shrinkage: 0.5, finest: 1e-4, most: 200 };
+    let start = SVector::from(undamped(limit).0);
+    let solve =
+        |guess: &SVector<f64, 5>, zeta| newton(Unknowns((*guess).into()), zeta, limit).map(|found| found.0.into());
+    pace.follow(zeta, |_| start, solve).map(|solution| Unknowns(solution.into()))
 }
 
 /// Newton's method; `None` unless it ends at a shaper, that is at positive impulses in order, the design frequency between

@@ -25,6 +25,7 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::{SMatrix, SVector};
 
+use crate::continuation::Pace;
 use crate::differences::{Differences, FARTHEST};
 use crate::{DesignError, Kind, Mode, Shaper, binomial};
 
@@ -104,8 +105,8 @@ fn unity_undamped(v: f64) -> Option<Design> {
         zeros: [-0.5, 0.5, 0.0, 0.0],
         ..Design::default()
     };
-    let start = form.newton(&start, 0.0, 0.0)?;
-    form.follow(start, v, |limit| (0.0, limit)).ok()
+    let start = form.newton(&form.pack(&start), 0.0, 0.0)?;
+    form.follow(form.unpack(&start), v, |limit| (0.0, limit)).ok()
 }
 
 /// What kind of train is sought.
@@ -140,49 +141,27 @@ impl Form {
         Ok(Shaper::of::<N>(std::array::from_fn(|i| (design.phases[i] * per_radian, design.amplitudes[i]))))
     }
 
-    /// Follows a solution at 0 to one at `end`, in steps as large as Newton's method takes; `at` gives damping ratio and limit.
-    /// Where it ends before, the last place that has a solution.
+    /// Follows a solution at 0 to one at `end`; `at` gives damping ratio and limit. Where it ends before, the last place that has
+    /// one.
     fn follow(&self, start: Design, end: f64, at: impl Fn(f64) -> (f64, f64)) -> Result<Design, f64> {
-        if end == 0.0 {
-            return Ok(start);
-        }
-        let (mut here, mut before) = ((0.0, start), None);
-        let mut step = end.min(0.1);
-        for _ in 0..100 {
-            let next = if here.0 + step < end { here.0 + step } else { end };
-            let guess = self.extrapolate(here, before, next, at(next).0);
-            if let Some(solution) = self.newton(&guess, at(next).0, at(next).1) {
-                if next == end {
-                    return Ok(solution);
-                }
-                before = Some(here);
-                here = (next, solution);
-                step *= 1.5;
-            } else {
-                step *= 0.5;
-                if step < FINEST_STEP * here.0.max(FINEST_STEP * end) {
-                    break;
-                }
-            }
-        }
-        Err(here.0)
+        let pace = Pace { first: end.min(0.1), growth: 1.5, shrinkage: 0.5, finest: 2e-4, most: 100 };
+        let guess = |place| self.pack(&self.damped(start, at(place).0));
+        let solve = |guess: &SVector<f64, UNKNOWNS>, place| {
+            let (zeta, limit) = at(place);
+            self.newton(guess, zeta, limit)
+        };
+        pace.follow(end, guess, solve).map(|unknowns| self.unpack(&unknowns))
     }
 
-    fn extrapolate(&self, here: (f64, Design), before: Option<(f64, Design)>, next: f64, zeta: f64) -> Design {
-        let Some(before) = before else {
-            // damping takes e^{−rx} from what an impulse leaves
-            let mut guess = here.1;
-            if !self.unity {
-                let r = decay(zeta);
-                (0..self.impulses).for_each(|i| guess.amplitudes[i] *= (-r * guess.phases[i]).exp());
-                let sum: f64 = guess.amplitudes.iter().sum();
-                guess.amplitudes.iter_mut().for_each(|amplitude| *amplitude /= sum);
-            }
-            return guess;
-        };
-        let share = (next - here.0) / (here.0 - before.0);
-        let (here, before) = (self.pack(&here.1), self.pack(&before.1));
-        self.unpack(&(here + (here - before) * share))
+    /// A guess: damping takes e^{−rx} from what an impulse leaves.
+    fn damped(&self, mut design: Design, zeta: f64) -> Design {
+        if !self.unity {
+            let r = decay(zeta);
+            (0..self.impulses).for_each(|i| design.amplitudes[i] *= (-r * design.phases[i]).exp());
+            let sum: f64 = design.amplitudes.iter().sum();
+            design.amplitudes.iter_mut().for_each(|amplitude| *amplitude /= sum);
+        }
+        design
     }
 
     /// How many zeros and peaks are free: the middle one of all lies at the design frequency.
@@ -225,9 +204,9 @@ impl Form {
     }
 
     /// Newton's method with slopes from differences; `None` unless it ends at a shaper of this form.
-    fn newton(&self, start: &Design, zeta: f64, limit: f64) -> Option<Design> {
+    fn newton(&self, start: &SVector<f64, UNKNOWNS>, zeta: f64, limit: f64) -> Option<SVector<f64, UNKNOWNS>> {
         let system = System { form: self, r: decay(zeta), spread: limit.powf(1.0 / self.zeros as f64) };
-        let mut unknowns = self.pack(start);
+        let mut unknowns = *start;
         let mut moved_by = f64::INFINITY;
         for _ in 0..MAX_ITERATIONS {
             let residual = system.at(&unknowns);
@@ -244,8 +223,7 @@ impl Form {
             }
             let last = std::mem::replace(&mut moved_by, step.amax());
             if moved_by.max(last) <= LAST_STEP && system.at(&unknowns).amax() <= TOLERANCE {
-                let design = self.unpack(&unknowns);
-                return self.holds(&design, &system).then_some(design);
+                return self.holds(&self.unpack(&unknowns), &system).then_some(unknowns);
             }
         }
         None
@@ -267,9 +245,6 @@ impl Form {
 fn decay(zeta: f64) -> f64 {
     zeta / crate::mode::damped_share(zeta)
 }
-
-/// A continuation that cannot go on by this share of what it has come ends there.
-const FINEST_STEP: f64 = 2e-4;
 
 /// Newton's method takes five to nine from where a good step of the continuation puts it.
 const MAX_ITERATIONS: usize = 12;

@@ -28,6 +28,7 @@
 mod analysis;
 mod binomial;
 mod compensated;
+mod continuation;
 mod convolution;
 mod degradation;
 mod design;

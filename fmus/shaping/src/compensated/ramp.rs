@@ -3,6 +3,7 @@
 use nalgebra::{Complex, Matrix2, Vector2};
 
 use super::error::CompensatedError;
+use crate::continuation::Pace;
 use crate::mode::damped_share;
 use crate::{Mode, Shaper};
 
@@ -13,45 +14,23 @@ pub(super) fn train(mode: Mode, unity: &Shaper, growing: f64, falling: f64) -> R
     let pole = Complex::new(zeta, damped_share(zeta));
     let at = |share: f64| Ramps { pole, growing: growing * omega * share, falling: falling * omega * share };
     let start = Vector2::new(unity.impulses()[1].time * omega, unity.impulses()[2].time * omega);
-    let (mut here, mut before) = ((0.0, start), (0.0, start));
-    let mut step: f64 = 1.0;
-    for _ in 0..MAX_STEPS {
-        let next = (here.0 + step).min(1.0);
-        let guess = if here.0 > before.0 {
-            here.1 + (here.1 - before.1) * ((next - here.0) / (here.0 - before.0))
-        } else {
-            here.1
-        };
-        if let Some(times) = at(next).newton(guess).filter(|times| (times - guess).amax() < NEAR) {
-            if next == 1.0 {
-                return Ok(Shaper::of([(0.0, 1.0), (times.x / omega, -1.0), (times.y / omega, 1.0)]));
-            }
-            before = here;
-            here = (next, times);
-            step *= 2.0;
-        } else {
-            step *= 0.5;
-            if step < LEAST_STEP * here.0.max(LEAST_STEP) {
-                break;
-            }
-        }
+    let solve = |guess: &Vector2<f64>, share| at(share).newton(*guess).filter(|times| (times - guess).amax() < NEAR);
+    match PACE.follow(1.0, |_| start, solve) {
+        Ok(times) => Ok(Shaper::of([(0.0, 1.0), (times.x / omega, -1.0), (times.y / omega, 1.0)])),
+        Err(feasible_share) => Err(CompensatedError::NotFound {
+            damping_ratio: zeta,
+            acceleration_time_constant: growing,
+            braking_time_constant: falling,
+            feasible_share,
+        }),
     }
-    Err(CompensatedError::NotFound {
-        damping_ratio: zeta,
-        acceleration_time_constant: growing,
-        braking_time_constant: falling,
-        feasible_share: here.0,
-    })
 }
 
 /// Farther from the guess, in radians, it might be another branch.
 const NEAR: f64 = 0.2;
 
-/// Steps along the branch: doubling takes it over all scales.
-const MAX_STEPS: usize = 300;
-
-/// Shorter steps, relative to where they begin, mean that the branch ends.
-const LEAST_STEP: f64 = 1e-4;
+/// Doubling takes it over all scales.
+const PACE: Pace = Pace { first: 1.0, growth: 2.0, shrinkage: 0.5, finest: 1e-4, most: 300 };
 
 /// All in units of 1/ω: σ = ζ + j√(1 − ζ²), ωτ_a, ωτ_b.
 struct Ramps {

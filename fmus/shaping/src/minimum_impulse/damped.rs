@@ -4,6 +4,7 @@ use nalgebra::{Complex, SVector};
 
 use super::system::System;
 use super::{LARGEST, SAME, Train};
+use crate::continuation::Pace;
 use crate::{Impulse, Mode};
 
 /// The trains, one at most as a rule, that a train for the same modes without damping becomes with damping; none if it ceases to
@@ -33,40 +34,19 @@ fn follow_one(train: &Train, modes: [Mode; 2]) -> Option<Train> {
     };
     let unit = 0.5 * (modes[0].frequency() + modes[1].frequency());
     let rates = |share| modes.map(|mode| mode.rate(share) / unit);
-    let mut here = (0.0, pack(&if pair_first { train.mirrored() } else { *train }, unit));
-    let mut tangent = Unknowns::zeros();
-    if train.count == 2 {
-        tangent[3] = opening(train.duration() * unit, rates(1.0));
-    }
-    let mut step: f64 = 1.0;
-    for _ in 0..MAX_STEPS {
-        let next = f64::min(here.0 + step, 1.0);
-        let guess = here.1 + tangent * (next - here.0);
-        let system = System::new(rates(next), pair_first);
-        if let Some(solution) = newton(&system, &guess, if next == 1.0 { LAST_STEP } else { ROUGH_STEP }) {
-            if next == 1.0 {
-                let train = unpack(&solution, unit)?;
-                let train = if pair_first { train.mirrored() } else { train };
-                return (train.impulses[0].time == 0.0).then_some(train);
-            }
-            tangent = (solution - here.1) / (next - here.0);
-            here = (next, solution);
-            step *= 2.0;
-        } else {
-            step = 0.25 * (next - here.0);
-            if step < FINEST_STEP * here.0.max(FINEST_STEP) {
-                break;
-            }
-        }
-    }
-    None
+    let start = pack(&if pair_first { train.mirrored() } else { *train }, unit);
+    let opening = if train.count == 2 { opening(train.duration() * unit, rates(1.0)) } else { 0.0 };
+    let guess = |share| start + Unknowns::new(0.0, 0.0, 0.0, opening * share);
+    let solve = |guess: &Unknowns, share| {
+        newton(&System::new(rates(share), pair_first), guess, if share == 1.0 { LAST_STEP } else { ROUGH_STEP })
+    };
+    let train = unpack(&PACE.follow(1.0, guess, solve).ok()?, unit)?;
+    let train = if pair_first { train.mirrored() } else { train };
+    (train.impulses[0].time == 0.0).then_some(train)
 }
 
-/// Steps of the continuation; a few are usual.
-const MAX_STEPS: usize = 40;
-
-/// A continuation that cannot go on by this share of what it has come ends there.
-const FINEST_STEP: f64 = 1e-3;
+/// Most get to the end in one step.
+const PACE: Pace = Pace { first: 1.0, growth: 2.0, shrinkage: 0.25, finest: 1e-3, most: 40 };
 
 /// S, E, d, q of [`System`].
 type Unknowns = SVector<f64, 4>;
