@@ -13,28 +13,24 @@
 //! L. Porter, T. Tuttle and N. Singer, *Vibration reduction using multi-hump input shapers*, J. Dynamic Systems, Measurement and
 //! Control 119, 1997, and W. Singhose, N. Singer and W. Seering, *Time-optimal negative input shapers*, same journal and year.
 //!
-//! With x = ω_d t, κ = r + j, r = ζω/ω_d, and w in units of ω₀, the train answers with F(w) = ΣAᵢ e^{κwxᵢ} and leaves
-//! V(w) = e^{−rwxₙ} |F(w)|. A small limit moves the zeros together, to w = 1 + s dₖ with sⁿ = V_lim. The equations stay regular in
-//! divided differences, in which F(1 + sη) = F[w₁ … wₙ, 1 + sη] sⁿ Π(η − dₖ):
-//!
-//! - zeros: F[w₁] = F[w₁, w₂] = … = F[w₁ … wₙ] = 0, complex;
-//! - height of a hump at 1 + sη: ln|F[w₁ … wₙ, 1 + sη]| − r(1 + sη)xₙ + Σ ln|η − dₖ| = 0;
-//! - its peak: the slope of that over η is 0.
+//! [`System`] has the equations, [`undamped`] the solutions without damping, from which they are followed.
 
-use std::f64::consts::{PI, TAU};
+mod system;
+mod undamped;
 
 use nalgebra::{SMatrix, SVector};
 
 use crate::continuation::Pace;
-use crate::differences::{Differences, FARTHEST};
+use crate::differences::FARTHEST;
 use crate::{DesignError, Kind, Mode, Shaper, binomial};
+use system::System;
 
 pub(crate) fn two_hump(mode: Mode, limit: f64) -> Result<Shaper, DesignError> {
     if (0.0..=f64::EPSILON).contains(&limit) {
         return Ok(binomial::design::<4>(mode));
     }
     let form = Form { kind: Kind::TwoHumpEI, impulses: 4, unity: false, zeros: 3 };
-    form.design::<4>(mode, limit, two_hump_undamped)
+    form.design::<4>(mode, limit, undamped::two_hump)
 }
 
 pub(crate) fn three_hump(mode: Mode, limit: f64) -> Result<Shaper, DesignError> {
@@ -42,12 +38,12 @@ pub(crate) fn three_hump(mode: Mode, limit: f64) -> Result<Shaper, DesignError> 
         return Ok(binomial::design::<5>(mode));
     }
     let form = Form { kind: Kind::ThreeHumpEI, impulses: 5, unity: false, zeros: 4 };
-    form.design::<5>(mode, limit, three_hump_undamped)
+    form.design::<5>(mode, limit, undamped::three_hump)
 }
 
 pub(crate) fn unity(kind: Kind, mode: Mode, limit: f64) -> Result<Shaper, DesignError> {
     let form = Form { kind, impulses: 5, unity: true, zeros: 2 };
-    form.design::<5>(mode, limit, unity_undamped)
+    form.design::<5>(mode, limit, undamped::unity)
 }
 
 /// A train with its zeros dₖ and peaks η.
@@ -63,51 +59,6 @@ const IMPULSES: usize = 5;
 const ZEROS: usize = 4;
 /// Times, amplitudes, zeros and free peaks of ThreeHumpEI, which has most.
 const UNKNOWNS: usize = 14;
-
-/// The angle, in half turns, whose cosine is that much less than 1.
-fn angle(one_less_cosine: f64) -> f64 {
-    2.0 * (0.5 * one_less_cosine).sqrt().asin() / PI
-}
-
-fn half_periods(amplitudes: [f64; IMPULSES]) -> Design {
-    Design { phases: std::array::from_fn(|k| k as f64 * PI), amplitudes, ..Design::default() }
-}
-
-/// a, ½ − a, ½ − a, a with a = (3X² + 2X + 3V²)/(16X), X = (V²(√(1 − V²) + 1))^⅓.
-fn two_hump_undamped(v: f64) -> Option<Design> {
-    let x = (v * v * ((1.0 - v * v).sqrt() + 1.0)).cbrt();
-    let over = 3.0 * (x * x + v * v) / (4.0 * x); // 4a − ½
-    let a = (over + 0.5) / 4.0;
-    let s = v.cbrt();
-    let (zero, peak) = (angle(over / (2.0 * a)) / s, angle(over / (6.0 * a)) / s);
-    let train = half_periods([a, 0.5 - a, 0.5 - a, a, 0.0]);
-    Some(Design { zeros: [-zero, 0.0, zero, 0.0], peaks: [-peak, peak, 0.0], ..train })
-}
-
-/// a, b, 1 − 2a − 2b, b, a with a = (1 + 3V + 2√(2(V² + V)))/16, b = (1 − V)/4.
-fn three_hump_undamped(v: f64) -> Option<Design> {
-    let root = (0.5 * (v * v + v)).sqrt();
-    let a = (1.0 + 3.0 * v + 4.0 * root) / 16.0;
-    let b = (1.0 - v) / 4.0;
-    let s = v.sqrt().sqrt();
-    let at = |offset: f64| angle((v + root + offset * (a * v).sqrt()) / (4.0 * a)) / s;
-    let (inner, peak, outer) = (at(-2.0), at(0.0), at(2.0));
-    let train = half_periods([a, b, 1.0 - 2.0 * (a + b), b, a]);
-    Some(Design { zeros: [-outer, -inner, inner, outer], peaks: [-peak, 0.0, peak], ..train })
-}
-
-/// Follows the solution from V = 0, where its times are known well enough for Newton's method.
-fn unity_undamped(v: f64) -> Option<Design> {
-    let form = Form { kind: Kind::UMEI, impulses: 5, unity: true, zeros: 2 };
-    let start = Design {
-        phases: [0.0, 0.0895, 0.3662, 0.6430, 0.7325].map(|share| share * TAU),
-        amplitudes: [1.0, -1.0, 1.0, -1.0, 1.0],
-        zeros: [-0.5, 0.5, 0.0, 0.0],
-        ..Design::default()
-    };
-    let start = form.newton(&form.pack(&start), 0.0, 0.0)?;
-    form.follow(form.unpack(&start), v, |limit| (0.0, limit)).ok()
-}
 
 /// What kind of train is sought.
 struct Form {
@@ -260,47 +211,3 @@ const RESOLVED: f64 = 1e-9;
 
 /// Slopes from differences this wide are good to about as much, and each iteration leaves that share of the error.
 const DIFFERENCE: f64 = 1e-7;
-
-/// The equations; unknowns that a form does not have are 0 = 0.
-struct System<'a> {
-    form: &'a Form,
-    r: f64,
-    /// s, s to the power of the number of zeros being the limit.
-    spread: f64,
-}
-
-impl System<'_> {
-    fn size(&self) -> usize {
-        let (zeros, peaks) = self.form.free();
-        let later = self.form.impulses - 1;
-        later + if self.form.unity { 0 } else { later } + zeros + peaks
-    }
-
-    fn at(&self, unknowns: &SVector<f64, UNKNOWNS>) -> SVector<f64, UNKNOWNS> {
-        let design = self.form.unpack(unknowns);
-        let zeros = &design.zeros[..self.form.zeros];
-        let loss = 0.5 * self.r * design.phases[self.form.impulses - 1];
-        let mut residual = SVector::<f64, UNKNOWNS>::zeros();
-        let mut rows = residual.iter_mut();
-        // there are as many equations as unknowns, so no row is missing
-        let mut put = |value: f64| rows.next().into_iter().for_each(|row| *row = value);
-        let count = self.form.impulses;
-        let mut differences = Differences::new(self.r, &design.phases[..count], &design.amplitudes[..count]);
-        for zero in zeros {
-            let difference = differences.over(self.spread * zero);
-            put(difference.re);
-            put(difference.im);
-        }
-        for peak in &design.peaks[..zeros.len() - 1] {
-            let mut at_peak = differences.clone();
-            let (value, slope) = (at_peak.over(self.spread * peak), at_peak.over(self.spread * peak));
-            let distances = zeros.iter().map(|zero| peak - zero);
-            let product: f64 = distances.clone().product();
-            // the differences carry e^{−rxₙ} already, and e^{−rsηxₙ/2}
-            put((value.norm() * product.abs()).ln() - self.spread * peak * loss);
-            let steep = (slope / value).re - loss;
-            put(self.spread * steep + distances.map(f64::recip).sum::<f64>());
-        }
-        residual
-    }
-}
