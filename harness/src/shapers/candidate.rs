@@ -7,7 +7,7 @@ use swayless_shaping::{
     residual_vibration,
 };
 
-use super::{Request, UncertainMode};
+use super::{Ramps, Request, UncertainMode};
 
 /// A kind of shaper: its numbers, or why there is none.
 #[derive(Debug, Clone)]
@@ -39,8 +39,14 @@ pub enum Refusal {
 pub struct Figures {
     /// The design.
     pub design: Design,
-    /// What it leaves, mode by mode.
+    /// What it leaves, mode by mode, behind the drive if one is given.
     pub modes: Vec<OfMode>,
+    /// The same without a drive.
+    pub without_drive: Vec<OfMode>,
+    /// How much later than the bare command the shaped one is complete (s).
+    pub delay: f64,
+    /// What becomes of the ramps, behind an acceleration limit.
+    pub ramps: Option<Ramps>,
     /// The least and the greatest value of a shaped unit step.
     pub step: RangeInclusive<f64>,
     /// Σ|Aᵢ|: how far the shaped command may exceed the range of any command, as a multiple of it.
@@ -59,6 +65,21 @@ pub struct OfMode {
     pub insensitivity: f64,
 }
 
+/// Whether a kind works with the vibration limit: the names of those that do say so.
+pub fn needs_vibration_limit(kind: Kind) -> bool {
+    kind.name().contains("EI") || needs_insensitivity(kind)
+}
+
+/// Whether a kind is designed for a range of frequencies.
+pub fn needs_insensitivity(kind: Kind) -> bool {
+    kind.name().contains("SI")
+}
+
+/// Whether a kind is designed for an acceleration limit.
+pub fn needs_acceleration_limit(kind: Kind) -> bool {
+    kind.name().starts_with("AL")
+}
+
 impl Candidate {
     pub(super) fn new(request: &Request, kind: Kind) -> Self {
         let both = request.specification(kind, true);
@@ -70,8 +91,10 @@ impl Candidate {
             design => (both, design),
         };
         let design = match kind {
-            Kind::ALZVD | Kind::ALEI => Err(Refusal::NoAccelerationLimit),
-            Kind::UMZVc => Err(Refusal::NoTimeConstants),
+            _ if needs_acceleration_limit(kind) && !request.has_acceleration_limit() => {
+                Err(Refusal::NoAccelerationLimit)
+            }
+            Kind::UMZVc if !request.has_time_constants() => Err(Refusal::NoTimeConstants),
             _ => design.map_err(Refusal::from),
         };
         Self { kind, specification, result: design.map(|design| Figures::new(request, design)) }
@@ -96,14 +119,22 @@ impl Candidate {
 impl Figures {
     fn new(request: &Request, design: Design) -> Self {
         let shaper = design.shaper();
-        let modes = request.modes.iter().map(|mode| OfMode::new(shaper, mode, request.level)).collect();
+        let without_drive: Vec<OfMode> =
+            request.modes.iter().map(|mode| OfMode::new(shaper, mode, request.level)).collect();
+        let (modes, delay, ramps) = match request.drive {
+            Some(drive) => {
+                let modes = request.modes.iter().map(|mode| drive.of_mode(&design, request, mode)).collect();
+                (modes, drive.delay(&design), drive.ramps(shaper))
+            }
+            None => (without_drive.clone(), design.duration(), None),
+        };
         let sums = shaper.impulses().iter().scan(0.0, |sum, impulse| {
             *sum += impulse.amplitude;
             Some(*sum)
         });
         let (least, greatest) = sums.fold((0.0, 0.0_f64), |(least, greatest), sum| (sum.min(least), sum.max(greatest)));
         let gain = shaper.impulses().iter().map(|impulse| impulse.amplitude.abs()).sum();
-        Self { modes, step: least..=greatest, gain, design }
+        Self { modes, without_drive, delay, ramps, step: least..=greatest, gain, design }
     }
 
     /// The highest V over the ranges of all modes.

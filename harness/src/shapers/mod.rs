@@ -1,12 +1,15 @@
 //! Shapers of all kinds side by side: what each costs, what it leaves, and which to take.
 
-mod candidate;
+mod behind;
+pub mod candidate;
 pub mod recommendation;
 
 use std::ops::RangeInclusive;
 
-use swayless_shaping::{Kind, Mode, Specification};
+use swayless_shaping::{Design, Drive, Kind, Mode, Specification, residual_vibration};
 
+pub use behind::{DriveStep, Ramps};
+use candidate::needs_insensitivity;
 pub use candidate::{Candidate, Figures, OfMode, Refusal};
 pub use recommendation::{Recommendation, recommend};
 
@@ -23,6 +26,8 @@ pub struct Request {
     pub base_kinds: [Kind; 2],
     /// Which of the solutions of `MinimumImpulse`, from 1.
     pub solution: usize,
+    /// The drive behind the shaper; `None` for one that follows at once.
+    pub drive: Option<DriveStep>,
     /// The kinds to compare.
     pub kinds: Vec<Kind>,
 }
@@ -42,19 +47,46 @@ impl Request {
         self.kinds.iter().map(|kind| Candidate::new(self, *kind)).collect()
     }
 
+    /// Residual vibration that a shaper leaves of a mode, behind the drive if one is given.
+    pub fn vibration(&self, design: &Design, mode: Mode) -> f64 {
+        match self.drive {
+            Some(drive) => drive.vibration(design, mode),
+            None => residual_vibration(design.shaper(), mode.frequency(), mode.damping_ratio()),
+        }
+    }
+
+    fn has_acceleration_limit(&self) -> bool {
+        self.drive.is_some_and(|step| matches!(step.drive, Drive::RateLimit { .. }))
+    }
+
+    fn has_time_constants(&self) -> bool {
+        self.drive.is_some_and(|step| matches!(step.drive, Drive::FirstOrder { .. }))
+    }
+
     /// What is asked of a kind for the first mode alone, or for both.
     fn specification(&self, kind: Kind, both: bool) -> Specification {
         let first = &self.modes[0];
         let second = self.modes.get(1).filter(|_| both).map(|second| second.mode);
-        let plain = Specification {
+        let mut plain = Specification {
             vibration_limit: self.vibration_limit,
             base_kinds: self.base_kinds,
             solution: self.solution,
             ..Specification::new(kind, first.mode)
         };
+        if let Some(DriveStep { drive, velocity }) = self.drive {
+            plain.velocity_limit = velocity;
+            match drive {
+                Drive::RateLimit { acceleration } => plain.acceleration_limit = acceleration,
+                Drive::FirstOrder { acceleration_time_constant, braking_time_constant } => {
+                    plain.acceleration_time_constant = acceleration_time_constant;
+                    plain.braking_time_constant = braking_time_constant;
+                }
+                Drive::Ideal | Drive::SecondOrder { .. } => {}
+            }
+        }
         match kind {
             // These are for ranges, in the middle of which their design frequencies are, and both as wide as the wider.
-            Kind::SI | Kind::MultiModeSI => {
+            _ if needs_insensitivity(kind) => {
                 let widths = self.modes.iter().take(if both { 2 } else { 1 }).map(UncertainMode::insensitivity);
                 let second = second.and(self.modes.get(1)).map(UncertainMode::middle);
                 let insensitivity = widths.fold(0.0, f64::max);

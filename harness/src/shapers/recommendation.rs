@@ -1,11 +1,12 @@
 //! Which shaper to take. The rules:
 //!
-//! 1. A shaper *holds* if what it leaves is at most the vibration limit over the whole range of every mode.
+//! 1. A shaper *holds* if what it leaves, behind the drive if one is given, is at most the vibration limit over the whole range
+//!    of every mode.
 //! 2. It is *safe* if it has no negative impulse: whatever the command, the shaped one stays within the command's range, so a
 //!    drive that can follow the command can follow it.
 //! 3. The choice is the quickest shaper that holds and is safe. Where there is none, it is the quickest that holds; and where
 //!    none holds, the safe one, else any, that leaves least.
-//! 4. Shapers whose durations differ by at most [`AS_LONG`] count as equally long; of those the one that leaves least is taken.
+//! 4. Shapers whose delays differ by at most [`AS_LONG`] count as equally long; of those the one that leaves least is taken.
 //! 5. The runner-up is what would be chosen of the others that are safe and as long as the choice; where there is none, of all
 //!    others.
 //! 6. Named beside them are a quicker one that holds but is not safe, and the quickest safe one of all, since what is waited
@@ -17,7 +18,7 @@ use swayless_shaping::Kind;
 
 use super::{Candidate, Figures};
 
-/// Durations that differ by less than this share count as the same.
+/// Delays that differ by less than this share count as the same.
 pub const AS_LONG: f64 = 0.01;
 
 /// By this share V may be above the limit: as exactly as it is shown.
@@ -45,7 +46,7 @@ pub struct Recommendation {
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Seen {
     place: usize,
-    duration: f64,
+    delay: f64,
     worst: f64,
     holds: bool,
     safe: bool,
@@ -57,7 +58,7 @@ pub fn recommend(candidates: &[Candidate], vibration_limit: f64) -> Option<Recom
         let figures = candidate.figures().filter(|_| candidate.kind != Kind::None)?;
         Some(Seen {
             place,
-            duration: figures.design.duration(),
+            delay: figures.delay,
             worst: figures.worst(),
             holds: holds(figures, vibration_limit),
             safe: !figures.exceeds_command(),
@@ -74,11 +75,11 @@ pub fn holds(figures: &Figures, vibration_limit: f64) -> bool {
 fn rules(seen: &[Seen]) -> Option<Recommendation> {
     let choice = choose(seen)?;
     let others: Vec<Seen> = seen.iter().filter(|other| other.place != choice.place).copied().collect();
-    let as_long = |other: &&Seen| other.safe && (other.duration - choice.duration).abs() <= AS_LONG * choice.duration;
+    let as_long = |other: &&Seen| other.safe && (other.delay - choice.delay).abs() <= AS_LONG * choice.delay;
     let equals: Vec<Seen> = others.iter().filter(as_long).copied().collect();
     let runner_up = choose(&equals).or_else(|| choose(&others));
     let sooner = |wanted: fn(&Seen) -> bool| {
-        let sooner = |other: &Seen| other.duration < choice.duration * (1.0 - AS_LONG);
+        let sooner = |other: &Seen| other.delay < choice.delay * (1.0 - AS_LONG);
         let found = others.iter().filter(|other| wanted(other) && sooner(other)).copied();
         quickest(&found.collect::<Vec<_>>()).filter(|found| Some(found.place) != runner_up.map(|other| other.place))
     };
@@ -102,12 +103,12 @@ fn choose(seen: &[Seen]) -> Option<Seen> {
 
 /// Rule 4.
 fn quickest(seen: &[Seen]) -> Option<Seen> {
-    let shortest = seen.iter().map(|one| one.duration).fold(f64::INFINITY, f64::min);
-    seen.iter().filter(|one| one.duration <= shortest * (1.0 + AS_LONG)).copied().min_by(quieter)
+    let shortest = seen.iter().map(|one| one.delay).fold(f64::INFINITY, f64::min);
+    seen.iter().filter(|one| one.delay <= shortest * (1.0 + AS_LONG)).copied().min_by(quieter)
 }
 
 fn quieter(one: &Seen, other: &Seen) -> Ordering {
-    one.worst.total_cmp(&other.worst).then(one.duration.total_cmp(&other.duration))
+    one.worst.total_cmp(&other.worst).then(one.delay.total_cmp(&other.delay))
 }
 
 #[cfg(test)]
@@ -115,9 +116,9 @@ mod tests {
     use super::*;
 
     fn seen(list: &[(f64, f64, bool)]) -> Vec<Seen> {
-        let one = |(place, &(duration, worst, safe)): (usize, &(f64, f64, bool))| Seen {
+        let one = |(place, &(delay, worst, safe)): (usize, &(f64, f64, bool))| Seen {
             place,
-            duration,
+            delay,
             worst,
             holds: worst <= 0.05,
             safe,

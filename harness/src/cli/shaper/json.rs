@@ -1,11 +1,11 @@
 //! The comparison as JSON; docs/shaper.md says what it holds.
 
 use serde_json::{Map, Value as Json, json};
-use swayless::shapers::{Candidate, Figures, OfMode, Recommendation, UncertainMode};
-use swayless_shaping::Shaper;
+use swayless::shapers::{Candidate, DriveStep, Figures, OfMode, Recommendation, UncertainMode};
+use swayless_shaping::{Drive, Shaper};
 
 use super::request::Question;
-use super::{parameters, words};
+use super::{parameters, table, words};
 
 pub fn json(question: &Question, candidates: &[Candidate], found: Option<Recommendation>) -> Json {
     let request = &question.request;
@@ -15,6 +15,7 @@ pub fn json(question: &Question, candidates: &[Candidate], found: Option<Recomme
         "modes": request.modes.iter().map(mode).collect::<Vec<_>>(),
         "vibration_limit": request.vibration_limit,
         "level": request.level,
+        "drive": request.drive.map(drive),
         "shapers": shapers,
         "refused": candidates.iter().filter_map(refused).collect::<Vec<_>>(),
         "recommendation": found.map(|found| recommendation(question, candidates, found)),
@@ -30,8 +31,20 @@ fn mode(UncertainMode { mode, range }: &UncertainMode) -> Json {
     })
 }
 
+fn drive(step: DriveStep) -> Json {
+    match step.drive {
+        Drive::RateLimit { acceleration } => {
+            json!({ "acceleration_limit": acceleration, "velocity_limit": step.velocity })
+        }
+        Drive::FirstOrder { acceleration_time_constant, braking_time_constant } => json!({
+            "acceleration_time_constant": acceleration_time_constant, "braking_time_constant": braking_time_constant,
+        }),
+        Drive::Ideal | Drive::SecondOrder { .. } => Json::Null,
+    }
+}
+
 fn shaper(candidate: &Candidate, figures: &Figures) -> Json {
-    let of_mode = |mode: &OfMode| {
+    let of_mode = |mode: &OfMode| -> Json {
         json!({
             "residual": mode.residual,
             "worst": { "frequency": mode.worst.frequency, "residual": mode.worst.vibration },
@@ -46,10 +59,14 @@ fn shaper(candidate: &Candidate, figures: &Figures) -> Json {
     json!({
         "kind": candidate.kind.name(),
         "name": candidate.name(),
-        "delay": figures.design.duration(),
+        "duration": figures.design.duration(),
+        "delay": figures.delay,
+        "adds_up": figures.design.adds_up(),
         "impulses": impulses(figures.design.shaper()),
         "braking_impulses": figures.design.braking().map(impulses),
         "modes": figures.modes.iter().map(of_mode).collect::<Vec<_>>(),
+        "without_drive": figures.without_drive.iter().map(of_mode).collect::<Vec<_>>(),
+        "ramps": figures.ramps.map(table::ramps_name),
         "step": { "least": figures.step.start(), "greatest": figures.step.end() },
         "gain": figures.gain,
         "exceeds_command": figures.exceeds_command(),

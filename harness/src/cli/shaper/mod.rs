@@ -62,6 +62,18 @@ pub struct Arguments {
     /// Residual vibration at which insensitivity is measured [default: the vibration limit]
     #[arg(long, value_name = "SHARE")]
     level: Option<f64>,
+    /// Acceleration limit of the drive (m/s², or what the axis is measured in), for what remains behind it
+    #[arg(long, value_name = "M/S²", requires = "velocity_limit", conflicts_with_all = ["acceleration_time_constant", "braking_time_constant"])]
+    acceleration_limit: Option<f64>,
+    /// The largest step of the command, with --acceleration-limit (m/s)
+    #[arg(long, value_name = "M/S", requires = "acceleration_limit")]
+    velocity_limit: Option<f64>,
+    /// Time constant with which the drive speeds up (s), for what remains behind it
+    #[arg(long, value_name = "SECONDS", requires = "braking_time_constant")]
+    acceleration_time_constant: Option<f64>,
+    /// Time constant with which the drive slows down (s)
+    #[arg(long, value_name = "SECONDS", requires = "acceleration_time_constant")]
+    braking_time_constant: Option<f64>,
     /// The kind for each mode that `Convolved` is made of; given twice, one for each mode
     #[arg(long, value_name = "KIND", ignore_case = true, hide_possible_values = true, value_parser = kinds())]
     base_kind: Vec<Kind>,

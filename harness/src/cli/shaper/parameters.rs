@@ -2,6 +2,7 @@
 
 use serde_json::{Value as Json, json};
 use swayless::shapers::Candidate;
+use swayless::shapers::candidate::{needs_acceleration_limit, needs_insensitivity, needs_vibration_limit};
 use swayless_modeldesc::ssp::{Parameter, ParameterSet, SspVersion, Value, write_parameters};
 use swayless_modeldesc::types::DataType;
 use swayless_shaping::{Kind, Mode};
@@ -23,18 +24,28 @@ pub fn of(candidate: &Candidate) -> Vec<Parameter> {
         ));
         list.push(real(&of("damping_ratio"), "Damping ratio that it is designed for", mode.damping_ratio(), "1"));
     }
-    let limit = || real("vibration_limit", "Residual vibration that is allowed", wanted.vibration_limit, "1");
-    match candidate.kind {
-        Kind::EI | Kind::TwoHumpEI | Kind::ThreeHumpEI | Kind::UMEI => list.push(limit()),
-        Kind::SI | Kind::MultiModeSI => {
-            let what = "Full width of the range of frequencies, over the frequency";
-            list.extend([limit(), real("insensitivity", what, wanted.insensitivity, "1")]);
+    let kind = candidate.kind;
+    if needs_vibration_limit(kind) || kind == Kind::Convolved {
+        list.push(real("vibration_limit", "Residual vibration that is allowed", wanted.vibration_limit, "1"));
+    }
+    if needs_insensitivity(kind) {
+        let what = "Full width of the range of frequencies, over the frequency";
+        list.push(real("insensitivity", what, wanted.insensitivity, "1"));
+    }
+    if needs_acceleration_limit(kind) {
+        list.push(real("acceleration_limit", "Acceleration limit of the drive", wanted.acceleration_limit, ""));
+        list.push(real("velocity_limit", "Largest step of the command", wanted.velocity_limit, ""));
+    }
+    match kind {
+        Kind::UMZVc => {
+            let (up, down) = (wanted.acceleration_time_constant, wanted.braking_time_constant);
+            list.push(real("acceleration_time_constant", "Time constant with which the drive speeds up", up, "s"));
+            list.push(real("braking_time_constant", "Time constant with which the drive slows down", down, "s"));
         }
         Kind::Convolved => {
             for (place, kind) in wanted.base_kinds.into_iter().enumerate() {
                 list.push(item(&format!("base_kind[{}]", place + 1), "The kind for this mode", kind));
             }
-            list.push(limit());
         }
         Kind::MinimumImpulse => list.push(Parameter {
             data_type: DataType::Int32,
@@ -59,11 +70,12 @@ fn item(name: &str, description: &str, kind: Kind) -> Parameter {
     }
 }
 
+/// A number; an empty unit is none.
 fn real(name: &str, description: &str, value: f64, unit: &str) -> Parameter {
     Parameter {
         data_type: DataType::Float64,
         value: Value::Float(vec![value]),
-        unit: Some(unit.to_owned()),
+        unit: (!unit.is_empty()).then(|| unit.to_owned()),
         ..item(name, description, Kind::None)
     }
 }

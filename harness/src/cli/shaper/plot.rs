@@ -7,7 +7,7 @@ use std::sync::Arc;
 use swayless::Error;
 use swayless::report::{Curve, Dash, Figure, Panel, Report, Style, html, svg};
 use swayless::shapers::{Candidate, Figures, Recommendation, UncertainMode};
-use swayless_shaping::{Kind, sensitivity_curve};
+use swayless_shaping::{Kind, Mode};
 
 use super::request::{Given, Question};
 use super::{table, words};
@@ -58,7 +58,7 @@ pub fn draw(
                 .chain(words::refusals(candidates))
                 .collect(),
             tables: vec![table::report(question, candidates)],
-            figures: vec![curves, steps(candidates, found)],
+            figures: vec![curves, steps(question, candidates, found)],
         }),
     })
 }
@@ -72,12 +72,14 @@ struct Drawn<'a> {
 }
 
 /// The shapers that are drawn; where all kinds are compared, most are hidden at first.
-fn drawn(candidates: &[Candidate], found: Option<Recommendation>) -> Vec<Drawn<'_>> {
+fn drawn<'a>(question: &Question, candidates: &'a [Candidate], found: Option<Recommendation>) -> Vec<Drawn<'a>> {
     let named = found.map(|found| [Some(found.choice), found.runner_up, found.quicker, found.quickest]);
     let is_shown = |place: usize, kind: Kind| {
         candidates.len() <= FEW || BASIC.contains(&kind) || named.is_some_and(|named| named.contains(&Some(place)))
     };
-    let shaping = candidates.iter().enumerate().filter(|(_, one)| one.kind != Kind::None);
+    // Behind a drive, the bare command leaves less than all.
+    let bare = question.request.drive.is_some();
+    let shaping = candidates.iter().enumerate().filter(|(_, one)| bare || one.kind != Kind::None);
     let mut drawn: Vec<Drawn> = shaping
         .filter_map(|(place, candidate)| {
             let hidden = !is_shown(place, candidate.kind);
@@ -94,7 +96,7 @@ fn drawn(candidates: &[Candidate], found: Option<Recommendation>) -> Vec<Drawn<'
 const FEW: usize = 6;
 
 /// What everybody knows, to compare with.
-const BASIC: [Kind; 2] = [Kind::ZV, Kind::ZVD];
+const BASIC: [Kind; 3] = [Kind::None, Kind::ZV, Kind::ZVD];
 
 fn sensitivity(question: &Question, candidates: &[Candidate], found: Option<Recommendation>) -> Figure {
     let request = &question.request;
@@ -113,8 +115,12 @@ fn sensitivity(question: &Question, candidates: &[Candidate], found: Option<Reco
         let curve = |Drawn { candidate, figures, style, hidden }: Drawn| Curve {
             name: candidate.name(),
             places: frequencies.clone(),
-            values: sensitivity_curve(figures.design.shaper(), *ratio, 0.0..=end, POINTS)
-                .map(|at| 100.0 * at.vibration)
+            values: frequencies
+                .iter()
+                .map(|frequency| {
+                    Mode::new(frequency / factor, *ratio).map_or(1.0, |mode| request.vibration(&figures.design, mode))
+                })
+                .map(|vibration| 100.0 * vibration)
                 .collect(),
             style,
             held: false,
@@ -133,7 +139,11 @@ fn sensitivity(question: &Question, candidates: &[Candidate], found: Option<Reco
         } else {
             "residual vibration V (%)".to_owned()
         };
-        Panel { label, height: 2, curves: drawn(candidates, found).into_iter().map(curve).chain([limit]).collect() }
+        Panel {
+            label,
+            height: 2,
+            curves: drawn(question, candidates, found).into_iter().map(curve).chain([limit]).collect(),
+        }
     };
     let span = |(place, UncertainMode { range, .. }): (usize, &UncertainMode)| {
         let words = if request.modes.len() > 1 { format!("range of mode {}", place + 1) } else { "range".to_owned() };
@@ -149,7 +159,7 @@ fn sensitivity(question: &Question, candidates: &[Candidate], found: Option<Reco
     }
 }
 
-fn steps(candidates: &[Candidate], found: Option<Recommendation>) -> Figure {
+fn steps(question: &Question, candidates: &[Candidate], found: Option<Recommendation>) -> Figure {
     let longest = candidates.iter().filter_map(|one| Some(one.figures()?.design.duration())).fold(0.0, f64::max);
     let curve = |Drawn { candidate, figures, style, hidden }: Drawn| {
         let mut sum = 0.0;
@@ -165,7 +175,7 @@ fn steps(candidates: &[Candidate], found: Option<Recommendation>) -> Figure {
     let panel = Panel {
         label: "command".to_owned(),
         height: 2,
-        curves: drawn(candidates, found).into_iter().map(curve).collect(),
+        curves: drawn(question, candidates, found).into_iter().map(curve).collect(),
     };
     Figure {
         title: "Shaped steps".to_owned(),

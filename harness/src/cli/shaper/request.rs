@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 use std::ops::RangeInclusive;
 
 use swayless::Error;
-use swayless::shapers::{Request, UncertainMode};
-use swayless_shaping::{Band, Kind, Mode, double_pendulum, pendulum};
+use swayless::shapers::{DriveStep, Request, UncertainMode};
+use swayless_shaping::{Band, Drive, Kind, Mode, double_pendulum, pendulum};
 
 use super::Arguments;
 
@@ -28,6 +28,9 @@ pub enum Given {
 
 /// Ranges may go so far from the mode's frequency, as a factor: where insensitivity stops looking, too.
 const FARTHEST: f64 = 20.0;
+
+/// A drive that takes so many periods does not make anything swing.
+const SLOWEST: f64 = 100.0;
 
 /// What swings with more damping than this hardly swings.
 const HIGHEST_DAMPING: f64 = 0.99;
@@ -69,6 +72,7 @@ impl Question {
             let text = format!("is given {} times; a shaper is for one mode or two", arguments.base_kind.len());
             check.problem("--base-kind", &text);
         }
+        let drive = drive(arguments, &mut check);
         let frequencies = frequencies(arguments, &mut check);
         check.all()?;
         let mut modes = Vec::new();
@@ -94,6 +98,7 @@ impl Question {
             }
         }
         check.all()?;
+        slowest(drive, &modes, &mut check);
         let modes = ranges(arguments, given, &modes, &mut check);
         check.all()?;
         let kinds = if arguments.kind.is_empty() { Kind::ALL.to_vec() } else { unique(&arguments.kind) };
@@ -104,8 +109,48 @@ impl Question {
         };
         let solution = arguments.solution;
         let vibration_limit = arguments.vibration_limit;
-        let request = Request { modes, vibration_limit, level, base_kinds, solution, kinds };
+        let request = Request { modes, vibration_limit, level, base_kinds, solution, drive, kinds };
         Ok(Self { request, given })
+    }
+}
+
+fn drive(arguments: &Arguments, check: &mut Check) -> Option<DriveStep> {
+    let constants = [arguments.acceleration_time_constant, arguments.braking_time_constant];
+    match (arguments.acceleration_limit, arguments.velocity_limit, constants) {
+        (Some(acceleration), Some(velocity), _) => {
+            check.positive("--acceleration-limit", acceleration, "m/s²");
+            check.positive("--velocity-limit", velocity, "m/s");
+            Some(DriveStep { drive: Drive::RateLimit { acceleration }, velocity })
+        }
+        (_, _, [Some(acceleration_time_constant), Some(braking_time_constant)]) => {
+            check.time("--acceleration-time-constant", acceleration_time_constant);
+            check.time("--braking-time-constant", braking_time_constant);
+            let drive = Drive::FirstOrder { acceleration_time_constant, braking_time_constant };
+            Some(DriveStep { drive, velocity: 1.0 })
+        }
+        // One of a pair without the other is not let pass.
+        _ => None,
+    }
+}
+
+/// Checks that the drive has to do with the modes.
+fn slowest(drive: Option<DriveStep>, modes: &[Mode], check: &mut Check) {
+    let shortest = modes.iter().map(|mode| mode.period()).fold(f64::INFINITY, f64::min);
+    let mut too_slow = |option: &str, value: f64, time: f64| {
+        if time > SLOWEST * shortest {
+            let text = format!("the drive takes {time} s, more than {SLOWEST} periods of the mode; make it quicker");
+            check.wrong(option, value, &text);
+        }
+    };
+    match drive {
+        Some(DriveStep { drive: Drive::RateLimit { acceleration }, velocity }) => {
+            too_slow("--acceleration-limit", acceleration, velocity / acceleration);
+        }
+        Some(DriveStep { drive: Drive::FirstOrder { acceleration_time_constant, braking_time_constant }, .. }) => {
+            too_slow("--acceleration-time-constant", acceleration_time_constant, acceleration_time_constant);
+            too_slow("--braking-time-constant", braking_time_constant, braking_time_constant);
+        }
+        _ => {}
     }
 }
 
@@ -220,6 +265,12 @@ impl Check {
     fn positive(&mut self, option: &str, value: f64, unit: &str) {
         if !(value > 0.0 && value.is_finite()) {
             self.wrong(option, value, &format!("must be finite and greater than 0 ({unit})"));
+        }
+    }
+
+    fn time(&mut self, option: &str, value: f64) {
+        if !(value >= 0.0 && value.is_finite()) {
+            self.wrong(option, value, "must be finite and at least 0 (s)");
         }
     }
 

@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 use std::ops::RangeInclusive;
 
 use swayless::report::Table;
-use swayless::shapers::{Candidate, Figures, UncertainMode};
-use swayless_shaping::Shaper;
+use swayless::shapers::{Candidate, DriveStep, Figures, Ramps, UncertainMode};
+use swayless_shaping::{Drive, Shaper};
 
 use super::request::{Given, Question};
 use super::words::{percent, seconds};
@@ -30,6 +30,20 @@ pub fn heading(question: &Question) -> Vec<String> {
     if let Given::Length { length, gravity } = question.given {
         lines.insert(0, format!("A load on {} m of cable, gravity {} m/s²", number(length), number(gravity)));
     }
+    lines.extend(question.request.drive.map(|DriveStep { drive, velocity }| match drive {
+        Drive::RateLimit { acceleration } => format!(
+            "Drive: steps of {} m/s with at most {} m/s², in {}",
+            number(velocity),
+            number(acceleration),
+            seconds(velocity / acceleration)
+        ),
+        Drive::FirstOrder { acceleration_time_constant, braking_time_constant } => format!(
+            "Drive: speeds up with a time constant of {}, slows down with {}",
+            seconds(acceleration_time_constant),
+            seconds(braking_time_constant)
+        ),
+        Drive::Ideal | Drive::SecondOrder { .. } => format!("Drive: {drive:?}"),
+    }));
     lines
 }
 
@@ -51,15 +65,15 @@ fn header(question: &Question) -> Vec<String> {
     let mut header = ["Kind", "Delay", "Periods", "Impulses"].map(str::to_owned).to_vec();
     ["V", "Worst V", "Insensitivity"].iter().for_each(|name| header.extend(each(name)));
     header.extend(["Step", "Gain"].map(str::to_owned));
+    header.extend(has_ramps(question).then(|| "Ramps".to_owned()));
     header
 }
 
 fn row(question: &Question, candidate: &Candidate, figures: &Figures) -> Vec<String> {
-    let duration = figures.design.duration();
     let mut row = vec![
         candidate.name(),
-        seconds(duration),
-        format!("{:.3}", duration / question.request.modes[0].mode.period()),
+        seconds(figures.delay),
+        format!("{:.3}", figures.delay / question.request.modes[0].mode.period()),
         figures.design.shaper().impulses().len().to_string(),
     ];
     row.extend(figures.modes.iter().map(|mode| percent(mode.residual)));
@@ -71,27 +85,53 @@ fn row(question: &Question, candidate: &Candidate, figures: &Figures) -> Vec<Str
     let (least, greatest) = (figures.step.start(), figures.step.end());
     row.push(format!("{} to {}", significant(*least, 3), significant(*greatest, 3)));
     row.push(significant(figures.gain, 3));
+    row.extend(figures.ramps.map(|ramps| ramps_name(ramps).to_owned()));
     row
+}
+
+/// Whether the drive makes ramps.
+fn has_ramps(question: &Question) -> bool {
+    question.request.drive.is_some_and(|step| matches!(step.drive, Drive::RateLimit { .. }))
+}
+
+/// What becomes of ramps, in a word.
+pub fn ramps_name(ramps: Ramps) -> &'static str {
+    match ramps {
+        Ramps::Exact => "exact",
+        Ramps::Apart => "apart",
+        Ramps::Meet => "meet",
+    }
 }
 
 /// For the page.
 pub fn report(question: &Question, candidates: &[Candidate]) -> Table {
     let row = |candidate: &Candidate| Some(row(question, candidate, candidate.figures()?));
     let level = percent(question.request.level);
+    let mut notes = vec![
+        "Delay: how much later the shaped command is complete. Periods: the same over the period of the (first) mode. V: \
+         residual vibration, of what the unshaped command leaves, at the mode’s frequency; worst V: the highest over its range."
+            .to_owned(),
+        format!(
+            "Insensitivity: how wide the range with at most {level} of residual vibration is, over the mode’s frequency. \
+             Step: between what values a shaped unit step moves. Gain: how far the shaped command may exceed the range of \
+             any command."
+        ),
+    ];
+    if question.request.drive.is_some() {
+        notes.push("V, worst V and insensitivity are those behind the drive.".to_owned());
+    }
+    if has_ramps(question) {
+        notes.push(
+            "Ramps, which the drive makes of the impulses: exact: alike and apart, so that nothing is lost (Theorem 1); \
+             apart: each over before the next begins (5.13); meet: the drive lags behind."
+                .to_owned(),
+        );
+    }
     Table {
         title: "The shapers".to_owned(),
         header: header(question),
         rows: candidates.iter().filter_map(row).collect(),
-        notes: vec![
-            "Delay: until the last impulse. Periods: the same over the period of the (first) mode. V: residual vibration, \
-             of what the unshaped command leaves, at the mode’s frequency; worst V: the highest over its range."
-                .to_owned(),
-            format!(
-                "Insensitivity: how wide the range with at most {level} of residual vibration is, over the mode’s \
-                 frequency. Step: between what values a shaped unit step moves. Gain: how far the shaped command may \
-                 exceed the range of any command."
-            ),
-        ],
+        notes,
     }
 }
 

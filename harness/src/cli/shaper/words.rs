@@ -1,7 +1,7 @@
 //! The recommendation, and why kinds are missing, in words.
 
-use swayless::shapers::{Candidate, Figures, Recommendation, Refusal, recommendation};
-use swayless_shaping::{Kind, Quantity};
+use swayless::shapers::{Candidate, DriveStep, Figures, Recommendation, Refusal, recommendation};
+use swayless_shaping::{Drive, Kind, Quantity};
 
 use super::request::Question;
 use crate::cli::console::significant;
@@ -64,18 +64,19 @@ pub fn recommendation(question: &Question, candidates: &[Candidate], found: Reco
     let request = &question.request;
     let limit = percent(request.vibration_limit);
     let range = if request.modes.len() > 1 { "both ranges" } else { "the range" };
+    let behind = if request.drive.is_some() { " behind the drive" } else { "" };
     let at = |place: usize| candidates[place].figures().map(|figures| (candidates[place].name(), figures));
     let Some((name, choice)) = at(found.choice) else {
         return String::new();
     };
-    let (worst, cost) = (percent(choice.worst()), seconds(choice.design.duration()));
+    let (worst, cost) = (percent(choice.worst()), seconds(choice.delay));
     let mut sentences = match found.holds {
         true => vec![format!(
-            "Take {name}: it keeps the residual vibration at or below {limit} over {range} ({worst} at most) and delays \
+            "Take {name}: it keeps the residual vibration{behind} at or below {limit} over {range} ({worst} at most) and delays \
              the command by {cost}."
         )],
         false => vec![
-            format!("None of these keeps the residual vibration at or below {limit} over {range}."),
+            format!("None of these keeps the residual vibration{behind} at or below {limit} over {range}."),
             format!("{name} comes closest: {worst} at most, for a delay of {cost}."),
             match candidates.len() < Kind::ALL.len() {
                 true => "To hold the limit, raise it, narrow the range, or compare all kinds.".to_owned(),
@@ -83,12 +84,18 @@ pub fn recommendation(question: &Question, candidates: &[Candidate], found: Reco
             },
         ],
     };
+    if !choice.design.adds_up() {
+        sentences.push(format!(
+            "It is exact for changes of the command that do not meet: {} apart or more.",
+            seconds(choice.delay + ramp_time(question))
+        ));
+    }
     if choice.exceeds_command() {
         sentences.push(format!("It has {}.", negative(choice)));
     }
     if let Some((name, other)) = found.runner_up.and_then(at) {
-        let longer = other.design.duration() - choice.design.duration();
-        let length = match longer / choice.design.duration() {
+        let longer = other.delay - choice.delay;
+        let length = match longer / choice.delay.abs().max(other.delay.abs()) {
             share if share.abs() <= recommendation::AS_LONG => "about as long".to_owned(),
             share if share > 0.0 => format!("{} longer", seconds(longer)),
             _ => format!("{} shorter", seconds(-longer)),
@@ -99,14 +106,22 @@ pub fn recommendation(question: &Question, candidates: &[Candidate], found: Reco
         sentences.push(format!("Runner-up: {name}, {length}, {but} leaves up to {}{with}.", percent(other.worst())));
     }
     if let Some((name, other)) = found.quicker.and_then(at) {
-        let sooner = seconds(choice.design.duration() - other.design.duration());
+        let sooner = seconds(choice.delay - other.delay);
         sentences.push(format!("{name} holds the limit too, {sooner} sooner, but has {}.", negative(other)));
     }
     if let Some((name, other)) = found.quickest.and_then(at) {
-        let (cost, worst) = (seconds(other.design.duration()), percent(other.worst()));
+        let (cost, worst) = (seconds(other.delay), percent(other.worst()));
         sentences.push(format!("{name} would delay the command by {cost} only, and leave up to {worst}."));
     }
     sentences.join(" ")
+}
+
+/// How long the drive takes for the bare step, if it says.
+fn ramp_time(question: &Question) -> f64 {
+    match question.request.drive {
+        Some(DriveStep { drive: Drive::RateLimit { acceleration }, velocity }) => velocity / acceleration,
+        _ => 0.0,
+    }
 }
 
 fn negative(figures: &Figures) -> String {
