@@ -4,7 +4,8 @@ use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 use swayless_shaping::{
     Band, CompensatedForm, Design, Kind, Mode, Ramp, Trains, compensated, convolve, design, insensitivity, limited,
-    minimum_impulse, minimum_impulse_solution, specified_insensitivity, specified_insensitivity_of,
+    limited_insensitivity, minimum_impulse, minimum_impulse_solution, specified_insensitivity,
+    specified_insensitivity_of,
 };
 
 // shows that nothing is allocated
@@ -84,6 +85,15 @@ fn acceleration_limited((periods, damping_ratio, limit): (f64, f64, f64)) {
 fn ranges((ratio, damping_ratio): (u32, f64)) {
     let range = |frequency| (Band::around(frequency, 0.4).expect("an insensitivity in range"), damping_ratio);
     let _ = black_box(specified_insensitivity_of(black_box(&[range(1.0), range(f64::from(ratio))]), black_box(0.05)));
+}
+
+/// ALSI for 5 % over a range of the given width, in thousandths, for a bare ramp of so many periods; this one allocates.
+#[divan::bench(args = [(300, 0.3, 0.0), (300, 0.8, 0.0), (500, 0.3, 0.0), (500, 0.8, 0.0), (300, 0.8, 0.02)], sample_count = 10)]
+fn limited_range((width, periods, damping_ratio): (u32, f64, f64)) {
+    let range = Band::around(1.0, f64::from(width) * 1e-3).expect("an insensitivity in range");
+    let ramp = Ramp::new(periods * mode(0.0).period(), 1.0).expect("a ramp");
+    let _ =
+        black_box(limited_insensitivity(black_box(range), black_box(damping_ratio), black_box(ramp), black_box(0.05)));
 }
 
 /// A ramp sampled every step, so that each step spawns a train and as many impulses are due; per step.

@@ -37,6 +37,8 @@ pub enum Kind {
     ALZVD,
     /// EI for a drive with an acceleration limit.
     ALEI,
+    /// SI for a drive with an acceleration limit: the shortest command that keeps V below a limit over a range of frequencies.
+    ALSI,
     /// A shaper of its own for each of two modes, in series.
     Convolved,
     /// At most three impulses, negative ones among them, that leave nothing of either of two modes.
@@ -47,7 +49,7 @@ pub enum Kind {
 
 impl Kind {
     /// All kinds, in the order of their declaration.
-    pub const ALL: [Self; 18] = [
+    pub const ALL: [Self; 19] = [
         Self::None,
         Self::ZV,
         Self::ZVD,
@@ -63,6 +65,7 @@ impl Kind {
         Self::UMZVc,
         Self::ALZVD,
         Self::ALEI,
+        Self::ALSI,
         Self::Convolved,
         Self::MinimumImpulse,
         Self::MultiModeSI,
@@ -102,6 +105,7 @@ impl Kind {
             Self::UMZVc => "UMZVc",
             Self::ALZVD => "ALZVD",
             Self::ALEI => "ALEI",
+            Self::ALSI => "ALSI",
             Self::Convolved => "Convolved",
             Self::MinimumImpulse => "MinimumImpulse",
             Self::MultiModeSI => "MultiModeSI",
@@ -139,6 +143,7 @@ pub fn design(kind: Kind, mode: Mode, vibration_limit: f64) -> Result<Shaper, De
         | Kind::UMZVc
         | Kind::ALZVD
         | Kind::ALEI
+        | Kind::ALSI
         | Kind::Convolved
         | Kind::MinimumImpulse
         | Kind::MultiModeSI => Err(DesignError::Kind { kind }),

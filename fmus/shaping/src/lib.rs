@@ -19,7 +19,7 @@
 //! Units are SI: seconds, rad/s. Amplitudes are shares of the command and sum to 1. Equation numbers are those of
 //! J. Danielson, *Mobile Boom Cranes and Advanced Input Shaping Control*, Georgia Institute of Technology, 2008.
 //! [`specified_insensitivity`] gives the shortest shaper for a whole range of frequencies, [`compensated`] the pair of trains for
-//! a drive that accelerates and brakes with unequal time constants, and [`limited`] trains for a drive with an acceleration limit.
+//! a drive that accelerates and brakes with unequal time constants, and [`limited`] and [`limited_insensitivity`] trains for a drive with an acceleration limit.
 //! [`predict`] says what remains behind a drive that a shaper was not designed for, [`ramped_vibration`] what an acceleration limit
 //! does to it. For two modes, [`convolve`] puts a shaper for each in series, and [`minimum_impulse`] lists the trains of three
 //! impulses that do with less.
@@ -61,7 +61,7 @@ pub use design::{Kind, design};
 pub use designed::{Design, Designer};
 pub use error::{DesignError, ModeError, ShaperError};
 pub use insensitivity::{Band, band, insensitivity};
-pub use limited::{Limited, LimitedError, Ramp, limited};
+pub use limited::{Limited, LimitedError, Ramp, limited, limited_insensitivity};
 pub use minimum_impulse::{MinimumImpulse, MinimumImpulseError, minimum_impulse, minimum_impulse_solution};
 pub use mode::Mode;
 pub use pendulum::{double_pendulum, pendulum};

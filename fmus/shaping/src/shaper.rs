@@ -75,6 +75,13 @@ impl Shaper {
         self
     }
 
+    /// The same amplitudes at other times, which have the same order.
+    pub(crate) fn map_times(&self, time: impl Fn(&Impulse) -> f64) -> Self {
+        let mut mapped = self.clone();
+        mapped.impulses[..self.count].iter_mut().for_each(|impulse| impulse.time = time(impulse));
+        mapped
+    }
+
     /// The impulses in order of time; at least one.
     #[must_use]
     pub fn impulses(&self) -> &[Impulse] {

@@ -5,8 +5,8 @@ use std::fmt;
 
 use crate::{
     Band, CompensatedError, CompensatedForm, Design, DesignError, Kind, LimitedError, MinimumImpulseError, Mode, Ramp,
-    ShaperError, SpecifiedError, TimeConstant, compensated, convolve, design, limited, minimum_impulse_solution,
-    specified_insensitivity, specified_insensitivity_of,
+    ShaperError, SpecifiedError, TimeConstant, compensated, convolve, design, limited, limited_insensitivity,
+    minimum_impulse_solution, specified_insensitivity, specified_insensitivity_of,
 };
 
 /// All that a design can depend on. Each kind looks at what it needs and at nothing else.
@@ -31,9 +31,9 @@ pub struct Specification {
     /// Insensitivity I of `SI`, and of `MultiModeSI` for both modes: the full width of the range of frequencies in which V stays below
     /// the limit, over the mode's frequency.
     pub insensitivity: f64,
-    /// Acceleration limit of the drive of `ALZVD` and `ALEI`, a; infinite for none.
+    /// Acceleration limit of the drive of `ALZVD`, `ALEI` and `ALSI`, a; infinite for none.
     pub acceleration_limit: f64,
-    /// The change of the command that `ALZVD` and `ALEI` are designed for, v_f.
+    /// The change of the command that `ALZVD`, `ALEI` and `ALSI` are designed for, v_f.
     pub velocity_limit: f64,
     /// Time constant τ_a with which the drive of `UMZVc` speeds up, in seconds.
     pub acceleration_time_constant: f64,
@@ -91,6 +91,12 @@ impl Specification {
             }
             Kind::ALZVD => self.limited(0.0),
             Kind::ALEI => self.limited(self.vibration_limit),
+            Kind::ALSI => {
+                let (mode, ramp) = (self.only_mode()?, Ramp::new(self.velocity_limit, self.acceleration_limit)?);
+                let band = Band::around(mode.frequency(), self.insensitivity)?;
+                let limited = limited_insensitivity(band, mode.damping_ratio(), ramp, self.vibration_limit)?;
+                Ok(Design::alone(limited.shaper().clone()))
+            }
             Kind::Convolved => {
                 let [first, second] = [self.base(0)?, self.base(1)?];
                 Ok(convolve(first.shaper(), second.shaper()).map_err(SpecificationError::Convolved)?.into())
@@ -114,6 +120,8 @@ impl Specification {
             (Kind::SI, [Some(mode), None]) => {
                 Some((Self { modes: [Some(mode.at_unit_frequency()), None], ..*self }, mode.frequency()))
             }
+            // another frequency would be another ratio to the ramp
+            (Kind::ALSI, _) => Some((*self, 1.0)),
             (Kind::MultiModeSI, [Some(first), Some(second)]) => {
                 let modes = [first, second].map(|mode| Some(mode.in_units_of(first.frequency())));
                 Some((Self { modes, ..*self }, first.frequency()))
@@ -240,6 +248,7 @@ impl SpecificationError {
                 DesignError::NoSolution { .. } => Quantity::DampingRatio(*mode),
             },
             Self::Limited(error) => match error {
+                LimitedError::Range(error) => Self::from(*error).quantity(),
                 LimitedError::Acceleration { .. } => Quantity::AccelerationLimit,
                 LimitedError::Speed { .. } | LimitedError::TooSlow { .. } | LimitedError::NoPulses { .. } => {
                     Quantity::VelocityLimit

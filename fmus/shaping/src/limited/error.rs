@@ -4,8 +4,9 @@ use std::error::Error;
 use std::fmt;
 
 use super::Ramp;
+use crate::SpecifiedError;
 
-/// Why [`limited`](crate::limited) gives no shaper.
+/// Why [`limited`](crate::limited) or [`limited_insensitivity`](crate::limited_insensitivity) gives no shaper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LimitedError {
     /// The velocity step is not a finite number, or beyond all measure for the acceleration.
@@ -25,6 +26,8 @@ pub enum LimitedError {
         /// What was given.
         value: f64,
     },
+    /// The range, or the limit over it, is none or has no such command.
+    Range(SpecifiedError),
     /// The drive takes more than three periods of the mode for the bare step.
     TooSlow {
         /// The step and the acceleration limit.
@@ -73,6 +76,7 @@ impl fmt::Display for LimitedError {
             Self::VibrationLimit { value } => {
                 write!(f, "the vibration limit is {value}; it must be at least 0 and less than 1")
             }
+            Self::Range(error) => error.fmt(f),
             Self::TooSlow { ramp, feasible_share } => {
                 write!(
                     f,
@@ -104,3 +108,9 @@ impl fmt::Display for LimitedError {
 }
 
 impl Error for LimitedError {}
+
+impl From<SpecifiedError> for LimitedError {
+    fn from(error: SpecifiedError) -> Self {
+        Self::Range(error)
+    }
+}

@@ -1,4 +1,4 @@
-//! Shapers for a drive with an acceleration limit (thesis 5.1.3): ALZVD and ALEI.
+//! Shapers for a drive with an acceleration limit (thesis 5.1.3): ALZVD, ALEI and, in a room of its own, ALSI.
 //!
 //! A drive that cannot jump turns each impulse of a shaped step into a ramp, and with it most of what the usual shapers are good
 //! for is lost: at ωv_f/a = 5.25, ZVD leaves more than the bare step. These shapers are designed for the ramps: the command that
@@ -6,8 +6,10 @@
 
 mod error;
 mod pulses;
+mod range;
 
 pub use error::LimitedError;
+pub use range::limited_insensitivity;
 
 use std::f64::consts::PI;
 

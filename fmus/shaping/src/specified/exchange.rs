@@ -198,7 +198,7 @@ impl Exchange {
 }
 
 /// Enough for functions that oscillate over the given phase.
-pub(super) fn samples(phase: f64) -> usize {
+pub(crate) fn samples(phase: f64) -> usize {
     16 + (10.0 * phase) as usize
 }
 

@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 
 /// The value of a game and how each side mixes its choices.
-pub(super) struct Solution {
+pub(crate) struct Solution {
     /// Shares x of the columns: max over rows of (Bx) is the value.
     pub columns: Vec<f64>,
     /// Shares y of the rows: min over columns of (yB) is the value.
@@ -14,7 +14,7 @@ pub(super) struct Solution {
 ///
 /// With B + 2, whose entries are positive, and z = x/value it is: maximise Σz subject to (B + 2)z ≤ 1, z ≥ 0. There z = 0 is
 /// a feasible corner, from which the simplex method starts; the slacks' prices are y. `None` if rounding keeps it from an end.
-pub(super) fn solve(matrix: &DMatrix<f64>) -> Option<Solution> {
+pub(crate) fn solve(matrix: &DMatrix<f64>) -> Option<Solution> {
     let (rows, columns) = matrix.shape();
     let width = columns + rows; // the tableau's columns: z, slacks, and the right-hand side
     let mut tableau = DMatrix::from_fn(rows + 1, width + 1, |row, column| match (row < rows, column < columns) {

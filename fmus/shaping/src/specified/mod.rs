@@ -16,14 +16,16 @@ mod polish;
 mod response;
 
 pub use error::SpecifiedError;
-pub(crate) use extrema::minima;
+pub(crate) use exchange::samples;
+pub(crate) use extrema::{Jet, minima};
+pub(crate) use game::solve;
+pub(crate) use response::Response;
 
 use std::f64::consts::TAU;
 
 use crate::{Band, Impulse, MAX_IMPULSES, Mode, Shaper};
 use exchange::{Exchange, Mix, Range, Verdict};
 use polish::polish;
-use response::Response;
 
 impl Band {
     /// The range of a given insensitivity I = (ω_high − ω_low)/ω around a frequency ω in rad/s: ω(1 ± I/2).

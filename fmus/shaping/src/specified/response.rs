@@ -6,7 +6,7 @@ use crate::mode::damped_share;
 
 /// e(ω, τ), so that V(ω) = |Σ xₖ e(ω, τₖ)| for impulses xₖ ≥ 0 at places τₖ.
 #[derive(Clone, Copy)]
-pub(super) enum Response {
+pub(crate) enum Response {
     /// Without damping, for a train that is symmetric in time: e = cos ωτ, τ the distance from the centre; xₖ is shared by
     /// the impulses at ±τₖ.
     Symmetric,
@@ -66,7 +66,7 @@ impl Response {
 
 /// e and its derivatives.
 #[derive(Clone, Copy)]
-pub(super) struct Derivatives {
+pub(crate) struct Derivatives {
     pub value: Complex<f64>,
     pub by_tau: Complex<f64>,
     pub by_omega: Complex<f64>,

@@ -6,6 +6,7 @@ mod drives;
 mod extra_insensitive;
 mod humps;
 mod limited;
+mod limited_range;
 mod oscillator;
 mod properties;
 mod ranges;

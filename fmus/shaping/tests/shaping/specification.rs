@@ -2,7 +2,7 @@
 
 use swayless_shaping::{
     Band, CompensatedForm, Designer, Kind, Quantity, Ramp, Specification, compensated, convolve, design, limited,
-    minimum_impulse_solution, specified_insensitivity, specified_insensitivity_of,
+    limited_insensitivity, minimum_impulse_solution, specified_insensitivity, specified_insensitivity_of,
 };
 
 use crate::{distance, mode};
@@ -35,6 +35,27 @@ fn limited_shapers_are_designed_for_a_step() {
         assert_eq!(design.shaper(), direct.shaper());
         assert!(!design.adds_up() && design.braking().is_none());
     }
+}
+
+#[test]
+fn alsi_is_designed_around_the_mode_for_a_step() {
+    let wanted = Specification {
+        insensitivity: 0.3,
+        acceleration_limit: 0.12,
+        velocity_limit: 0.358,
+        ..Specification::new(Kind::ALSI, mode(1.76, 0.0))
+    };
+    let (range, ramp) = (Band::around(1.76, 0.3).unwrap(), Ramp::new(0.358, 0.12).unwrap());
+    let direct = limited_insensitivity(range, 0.0, ramp, 0.05).unwrap();
+    let design = wanted.design().unwrap();
+    assert_eq!(design.shaper(), direct.shaper());
+    assert!(!design.adds_up());
+    assert_eq!(Designer::default().design(&wanted).unwrap(), design);
+    let refused = |wanted: Specification| wanted.design().unwrap_err().quantity();
+    assert_eq!(refused(Specification { velocity_limit: 100.0, ..wanted }), Quantity::VelocityLimit);
+    assert_eq!(refused(Specification { acceleration_limit: 0.0, ..wanted }), Quantity::AccelerationLimit);
+    assert_eq!(refused(Specification { insensitivity: 2.0, ..wanted }), Quantity::Insensitivity);
+    assert_eq!(refused(Specification { vibration_limit: 0.0, ..wanted }), Quantity::VibrationLimit);
 }
 
 #[test]

@@ -1,0 +1,142 @@
+//! ALSI: reference values, the limit over the whole range, no shorter command, symmetry, and refusals.
+
+use std::f64::consts::TAU;
+
+use proptest::prelude::*;
+use serde_json::Value;
+use swayless_shaping::{
+    Band, Limited, LimitedError, Ramp, Shaper, SpecifiedError, limited_insensitivity, ramped_vibration,
+    specified_insensitivity,
+};
+
+use crate::{distance, mode};
+
+/// ζ, ramp in periods, V, duration.
+const DAMPED: [(f64, f64, f64, f64); 3] = [(0.1, 1.5, 0.05, 12.631), (0.02, 0.3, 0.05, 6.486), (0.1, 0.3, 0.1, 5.791)];
+
+fn around(frequency: f64, insensitivity: f64) -> Band {
+    Band::around(frequency, insensitivity).expect("an insensitivity in range")
+}
+
+fn ramp(share: f64) -> Ramp {
+    // a bare ramp of the given share of the period at 1 rad/s
+    Ramp::new(share * TAU, 1.0).expect("a ramp")
+}
+
+/// The highest vibration as a share of what is allowed, 1 meaning the limit.
+fn highest(design: &Limited, range: Band, zeta: f64, ramp: Ramp, limit: f64) -> f64 {
+    let share = |point: u32| {
+        let mode = mode(range.lower + (range.upper - range.lower) * f64::from(point) / 2000.0, zeta);
+        let bare = ramped_vibration(&Shaper::unshaped(), mode, ramp);
+        ramped_vibration(design.shaper(), mode, ramp) / (limit * bare.hypot(0.005))
+    };
+    (0..=2000).map(share).fold(0.0, f64::max)
+}
+
+#[test]
+fn durations_for_the_10_ton_crane() {
+    let all: Value = serde_json::from_str(include_str!("data/limited.json")).unwrap();
+    for row in all["ALSI"].as_array().unwrap() {
+        let (range, ramp) =
+            (around(TAU * 0.28, row["insensitivity"].as_f64().unwrap()), Ramp::new(0.358, 0.12).unwrap());
+        let design = limited_insensitivity(range, 0.0, ramp, 0.05).unwrap();
+        // the reference is on a grid of times and of frequencies
+        assert!((design.duration() - row["duration"].as_f64().unwrap()).abs() < 1e-3, "{design:?} for {row}");
+        assert_eq!(design.shaper().impulses().len(), row["impulses"].as_array().unwrap().len());
+        assert!(highest(&design, range, 0.0, ramp, 0.05) <= 1.0 + 2e-9);
+    }
+}
+
+#[test]
+fn tends_to_specified_insensitivity() {
+    for (zeta, width) in [(0.0, 0.3), (0.0, 0.5), (0.05, 0.3)] {
+        let range = around(1.0, width);
+        let si = specified_insensitivity(range, zeta, 0.05).unwrap();
+        for share in [3e-3, 1e-3, 1e-4, 1e-9, 0.0] {
+            let design = limited_insensitivity(range, zeta, ramp(share), 0.05).unwrap();
+            // starts of pulses differ from impulses by half their length
+            let difference = distance(design.shaper(), &si);
+            assert!(difference < share + 1e-5, "ζ = {zeta}, I = {width}, {share} periods: {difference:e}");
+        }
+    }
+}
+
+/// Durations of linear programs on a grid of times, 1/500 of the command, and of 24 tangents to each cone, computed in Python.
+#[test]
+fn damped_durations() {
+    for (zeta, share, limit, expected) in DAMPED {
+        let range = around(1.0, 0.3);
+        let design = limited_insensitivity(range, zeta, ramp(share), limit).unwrap();
+        assert!(
+            (design.duration() / expected - 1.0).abs() < 3e-3,
+            "{} for ζ = {zeta}, {share} periods",
+            design.duration()
+        );
+        assert!(highest(&design, range, zeta, ramp(share), limit) <= 1.0 + 2e-9);
+        assert!(design.shaper().is_positive() && (design.shaper().sum() - 1.0).abs() < 1e-12);
+    }
+}
+
+/// At the one frequency whose period it takes, the bare ramp leaves nothing and is the shortest command.
+#[test]
+fn the_bare_ramp_may_do() {
+    for zeta in [0.0, 1e-6] {
+        for share in [1.0, 2.0] {
+            let design = limited_insensitivity(around(1.0, 0.0), zeta, ramp(share), 0.05).unwrap();
+            assert_eq!(design.shaper().impulses().len(), 1);
+            assert!((design.duration() - share * TAU).abs() < 1e-12);
+            assert!(
+                limited_insensitivity(around(1.0, 0.1), zeta, ramp(share), 0.05).unwrap().shaper().impulses().len() > 2
+            );
+        }
+    }
+}
+
+#[test]
+fn refusals() {
+    let refused = |lower, upper, zeta, share, limit| {
+        limited_insensitivity(Band { lower, upper }, zeta, ramp(share), limit).unwrap_err()
+    };
+    assert!(matches!(refused(0.0, 1.0, 0.0, 0.5, 0.05), LimitedError::Range(SpecifiedError::Mode(_))));
+    assert!(matches!(refused(1.0, 2.0, 1.0, 0.5, 0.05), LimitedError::Range(SpecifiedError::Mode(_))));
+    assert!(matches!(refused(2.0, 1.0, 0.0, 0.5, 0.05), LimitedError::Range(SpecifiedError::Reversed { .. })));
+    for value in [0.0, 1.0, f64::NAN] {
+        let error = refused(1.0, 1.1, 0.0, 0.5, value);
+        assert!(matches!(error, LimitedError::Range(SpecifiedError::VibrationLimit { .. })));
+        assert!(error.to_string().contains(&value.to_string()));
+    }
+    let error = refused(1.0, 1.0, 0.0, 3.5, 0.05);
+    let LimitedError::TooSlow { feasible_share, .. } = error else { panic!("{error}") };
+    assert!(limited_insensitivity(around(1.0, 0.1), 0.0, ramp(3.5 * feasible_share), 0.05).is_ok());
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(8))]
+
+    #[test]
+    fn never_above_the_limit(exponent in -3.0..3.0_f64, width in 0.0..0.35_f64, share in 0.1..1.5_f64, limit in 0.03..0.2_f64) {
+        let omega = 10.0_f64.powf(exponent);
+        let (range, ramp) = (around(omega, width), Ramp::new(-share * TAU / omega, 1.0).unwrap());
+        let design = limited_insensitivity(range, 0.0, ramp, limit).unwrap();
+        prop_assert!(highest(&design, range, 0.0, ramp, limit) <= 1.0 + 2e-9);
+        prop_assert!(design.shaper().is_positive() && (design.shaper().sum() - 1.0).abs() < 1e-12);
+        let times: Vec<_> = design.switch_times().flatten().collect();
+        prop_assert!(times[0] == 0.0 && times.is_sorted_by(|a, b| a < b));
+        for (early, late) in times.iter().zip(times.iter().rev()) {
+            prop_assert!((early + late - design.duration()).abs() < 1e-12 * design.duration());
+        }
+        // more to ask never takes less time, and other commands as short as that leave more
+        let wider = Band { upper: range.upper * 1.01, ..range };
+        let longer = limited_insensitivity(wider, 0.0, ramp, limit).unwrap();
+        prop_assert!(longer.duration() >= design.duration() * (1.0 - 1e-8));
+        let mut others = design.shaper().impulses().to_vec();
+        others.iter_mut().for_each(|impulse| impulse.time *= 0.999);
+        let other = Shaper::new(&others).unwrap();
+        let over = |factor: f64| {
+            let mode = mode(range.lower + (range.upper - range.lower) * factor, 0.0);
+            let bare = ramped_vibration(&Shaper::unshaped(), mode, ramp);
+            ramped_vibration(&other, mode, ramp) > limit * bare.hypot(0.005)
+        };
+        prop_assert!((0..=200).any(|point| over(f64::from(point) / 200.0)));
+    }
+}
