@@ -11,6 +11,9 @@ use swayless::Observer;
 
 use super::Failure;
 
+/// How long lines of text get.
+const WIDTH: usize = 100;
+
 /// Prints a result.
 pub fn print(text: impl Display) -> Result<(), Failure> {
     Ok(writeln!(std::io::stdout().lock(), "{text}")?)
@@ -64,6 +67,12 @@ pub fn table(header: impl Into<Row>, numbers: impl IntoIterator<Item = usize>) -
         }
     }
     table
+}
+
+/// Text in lines that are not too long to read.
+pub fn paragraph(text: &str) -> String {
+    // A number keeps its percent sign.
+    textwrap::fill(&text.replace(" %", "\u{a0}%"), WIDTH).replace('\u{a0}', " ")
 }
 
 /// A number as people read it: five significant digits, without a tail of zeros.

@@ -79,7 +79,8 @@ fn the_table_says_what_the_json_says() {
     for refused in answer["refused"].as_array().unwrap() {
         assert!(stdout.contains(refused["reason"].as_str().unwrap()));
     }
-    assert!(stdout.contains(answer["recommendation"]["text"].as_str().unwrap()));
+    let in_one_line = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(in_one_line(&stdout).contains(&in_one_line(answer["recommendation"]["text"].as_str().unwrap())));
 }
 
 #[test]
@@ -333,6 +334,24 @@ fn a_parameter_set_holds_the_recommended_shaper() {
             Some(said) => assert_eq!(written, said),
             // the JSON is read here to a rounding only
             None => close(written.parse().unwrap(), said.as_f64().unwrap(), 1e-15),
+        }
+    }
+}
+
+/// The pages show what the command prints, to the letter.
+#[test]
+fn the_pages_show_true_output() {
+    for page in ["../README.md", "../docs/shaper.md"] {
+        let text = std::fs::read_to_string(page).unwrap();
+        let shown: Vec<&str> =
+            text.split("```").skip(1).step_by(2).filter(|block| block.contains("\n$ swayless shaper")).collect();
+        assert!(!shown.is_empty(), "{page}");
+        for block in shown {
+            let (command, output) = block.split_once("$ swayless ").unwrap().1.split_once('\n').unwrap();
+            let (stdout, _) = exits(&command.split_whitespace().collect::<Vec<_>>(), 0);
+            let plain =
+                |text: &str| text.lines().map(str::trim_end).collect::<Vec<_>>().join("\n").trim_end().to_owned();
+            assert_eq!(plain(output), plain(&stdout), "{page}: {command}");
         }
     }
 }

@@ -27,7 +27,8 @@ use request::Question;
 #[command(after_help = "Examples:\n  \
     swayless shaper --length 10 --damping 0.01 --range 8..13\n  \
     swayless shaper --hertz 0.28 --kind ZVD --kind EI --impulses\n  \
-    swayless shaper --length 8 --rigging-length 3 --mass-ratio 0.5 --plot sensitivity.html")]
+    swayless shaper --length 8 --rigging-length 3 --mass-ratio 0.5 --plot sensitivity.html\n\n\
+    The rules of the recommendation and what the JSON holds: docs/shaper.md.")]
 pub struct Arguments {
     /// Length of the cable that the load hangs on (m)
     #[arg(long, value_name = "M")]
@@ -142,8 +143,8 @@ fn print(
     }
     parts.extend(words::refusals(candidates));
     if let Some(found) = found {
-        parts.push(words::recommendation(question, candidates, found));
-        parts.push(parameters::line(&candidates[found.choice]));
+        parts.push(console::paragraph(&words::recommendation(question, candidates, found)));
+        parts.push(console::paragraph(&parameters::line(&candidates[found.choice])));
     }
     console::print(parts.join("\n\n"))
 }

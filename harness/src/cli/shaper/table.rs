@@ -140,7 +140,11 @@ pub fn text(question: &Question, candidates: &[Candidate]) -> String {
     let Table { header, rows, notes, .. } = report(question, candidates);
     let mut table = console::table(header.clone(), 1..header.len());
     table.add_rows(rows);
-    format!("{}\n\n{}", table.trim_fmt(), notes.join("\n"))
+    format!(
+        "{}\n\n{}",
+        table.trim_fmt(),
+        notes.iter().map(|note| console::paragraph(note)).collect::<Vec<_>>().join("\n")
+    )
 }
 
 /// The impulses of a kind's trains.
