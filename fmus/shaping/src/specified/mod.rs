@@ -1,7 +1,7 @@
 //! SI, specified insensitivity: the shortest positive shaper that keeps V below a limit over one or more ranges of frequencies.
 //!
 //! For trains of a given length the least highest vibration is a convex program, solved by [`exchange`]; it does not grow with
-//! the length, so the shortest length that holds the limit is bisected. Once close, [`polish`] solves the conditions for the
+//! the length, so the shortest length that holds the limit is bisected. Once close, [`mod@polish`] solves the conditions for the
 //! optimum to rounding and proves the result from both sides; there is no other local optimum to be caught in.
 //!
 //! Without damping a shaper may be replaced by the mean of itself and its mirror image without raising |V(ω)| anywhere, so
@@ -166,20 +166,29 @@ const FARTHEST: f64 = 50.0;
 /// Longest train looked for, in periods of the slowest range's middle frequency.
 const MAX_PERIODS: f64 = 12.0;
 
+/// Impulses closer than this share of the duration are one, found twice.
+const MET: f64 = 1e-12;
+
 fn shaper(damped: bool, train: &[(f64, f64)], unit: f64) -> Result<Shaper, SpecifiedError> {
     let length = train.last().map_or(0.0, |(place, _)| *place);
+    let met = MET * length;
     let mut impulses: Vec<Impulse> = Vec::new();
     let mut add = |angle: f64, amplitude| impulses.push(Impulse { time: angle / unit, amplitude });
     for &(place, share) in train.iter().rev() {
-        let whole = damped || place == 0.0;
+        let whole = damped || place <= met;
         add(length - place, if whole { share } else { 0.5 * share });
     }
     if !damped {
-        let later = train.iter().filter(|(place, _)| *place > 0.0);
+        let later = train.iter().filter(|(place, _)| *place > met);
         later.for_each(|&(place, share)| add(length + place, 0.5 * share));
-    } else if train.first().is_some_and(|(place, _)| *place > 0.0) {
+    } else if train.first().is_some_and(|(place, _)| *place > met) {
         return Err(SpecifiedError::Waiting);
     }
+    impulses.dedup_by(|later, earlier| {
+        let same = later.time - earlier.time <= met / unit;
+        earlier.amplitude += if same { later.amplitude } else { 0.0 };
+        same
+    });
     if impulses.len() > MAX_IMPULSES {
         return Err(SpecifiedError::TooManyImpulses { count: impulses.len() });
     }

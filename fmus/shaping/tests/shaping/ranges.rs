@@ -118,6 +118,18 @@ fn ranges_far_apart() {
     assert!(error.to_string().contains("64 times") && error.to_string().contains("50 times"));
 }
 
+/// There the pair of impulses next to the centre has met, but for rounding.
+#[test]
+fn a_pair_that_has_met_is_one_impulse() {
+    let slow = Band { lower: 5.319_765_473_051_025, upper: 7.246_605_141_308_147 };
+    let fast = Band { lower: 86.411_269_010_024_33, upper: 91.617_696_693_753_27 };
+    let ranges = [(slow, 0.0), (fast, 0.0)];
+    for limit in [0.2344, 0.234_534_498_778_369_7, 0.2346] {
+        let shaper = si(&ranges, limit);
+        assert!(highest(&shaper, &ranges) <= limit * (1.0 + 2e-9));
+    }
+}
+
 /// Three ranges, and a third that the others imply.
 #[test]
 fn more_ranges_than_two() {
