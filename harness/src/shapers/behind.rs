@@ -121,7 +121,7 @@ fn highest(range: &RangeInclusive<f64>, duration: f64, vibration: impl Fn(f64) -
 
 /// Full width around a frequency, over it, of the range in which a curve stays at the level; humps above it by a hundredth of it
 /// are let pass. Infinite where it stays there up to twenty times the frequency.
-fn width(frequency: f64, level: f64, vibration: impl Fn(f64) -> f64) -> f64 {
+pub(super) fn width(frequency: f64, level: f64, vibration: impl Fn(f64) -> f64) -> f64 {
     const STEP: f64 = 0.002;
     const HIGHEST: f64 = 20.0;
     let low_enough = |place: f64, level: f64| vibration(place * frequency) <= level;

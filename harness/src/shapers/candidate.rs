@@ -7,6 +7,7 @@ use swayless_shaping::{
     residual_vibration,
 };
 
+use super::behind::width;
 use super::{Ramps, Request, UncertainMode};
 
 /// A kind of shaper: its numbers, or why there is none.
@@ -154,7 +155,9 @@ impl OfMode {
             residual: residual_vibration(shaper, mode.frequency(), mode.damping_ratio()),
             worst: highest_vibration(shaper, mode.damping_ratio(), range.clone()),
             insensitivity: match [level, 1.01 * level].map(|level| insensitivity(shaper, *mode, level)) {
-                [exact, wide] if wide > 1.1 * exact => wide,
+                [exact, wide] if wide > 1.1 * exact => width(mode.frequency(), level, |frequency| {
+                    residual_vibration(shaper, frequency, mode.damping_ratio())
+                }),
                 [exact, _] => exact,
             },
         }

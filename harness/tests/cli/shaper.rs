@@ -183,6 +183,26 @@ fn behind_an_acceleration_limit_the_published_numbers_come_out() {
     assert_eq!(shapers["ALZVD"]["adds_up"], false);
 }
 
+/// What is said behind a drive is computed in another way than what is said without: with no drive to speak of both are the same.
+#[test]
+fn a_quick_drive_is_none() {
+    let mode = ["--hertz", "0.5", "--damping", "0.03", "--range", "0.4..0.55"];
+    let kinds = ["--kind", "ZV", "--kind", "ZVD", "--kind", "EI", "--kind", "SI", "--kind", "UMZV"];
+    let limit = ["--acceleration-limit", "1e9", "--velocity-limit", "2"];
+    let constants = ["--acceleration-time-constant", "1e-9", "--braking-time-constant", "1e-9"];
+    for drive in [limit, constants] {
+        let answer = json(&[&mode[..], &kinds, &drive].concat());
+        for (kind, shaper) in shapers(&answer) {
+            close(number(shaper, "/delay"), number(shaper, "/duration"), 3e-9);
+            for name in ["residual", "worst/residual", "insensitivity"] {
+                let [with, without] = ["modes", "without_drive"].map(|of| number(shaper, &format!("/{of}/0/{name}")));
+                // a few 1e-9 s of up to 3.5 rad/s
+                assert!((with - without).abs() < 2e-8, "{kind}, {name}: {with} is not {without}");
+            }
+        }
+    }
+}
+
 /// A load on 0.84 m, τ_a = 0.2 s and τ_b = 0.065 s (thesis 5.2.3): for the exact ramps t₂ = 0.37988, t₃ = 0.56917,
 /// t₂′ = 0.21579, t₃′ = 0.64926 s.
 #[test]

@@ -1,5 +1,6 @@
 //! `swayless shaper`.
 
+mod check;
 mod json;
 mod parameters;
 mod plot;

@@ -8,6 +8,7 @@ use swayless::shapers::{DriveStep, Request, UncertainMode};
 use swayless_shaping::{Band, Drive, Kind, Mode, double_pendulum, pendulum};
 
 use super::Arguments;
+use super::check::Check;
 
 /// What is asked, and the words it was asked in.
 pub struct Question {
@@ -34,9 +35,6 @@ const SLOWEST: f64 = 100.0;
 
 /// What swings with more damping than this hardly swings.
 const HIGHEST_DAMPING: f64 = 0.99;
-
-/// Less residual vibration than this is none.
-const LEAST_SHARE: f64 = 0.001;
 
 /// A range as it is written.
 pub fn range(text: &str) -> Result<(f64, f64), String> {
@@ -247,46 +245,6 @@ fn around(mode: Mode, insensitivity: f64) -> RangeInclusive<f64> {
     // The insensitivity has been checked.
     Band::around(mode.frequency(), insensitivity)
         .map_or(mode.frequency()..=mode.frequency(), |band| band.lower..=band.upper)
-}
-
-/// All that is wrong with the arguments, by the names of the options.
-#[derive(Default)]
-struct Check(Vec<Error>);
-
-impl Check {
-    fn problem(&mut self, option: &str, text: &str) {
-        self.0.push(Error::Option(format!("`{option}` {text}")));
-    }
-
-    fn wrong(&mut self, option: &str, value: impl std::fmt::Display, text: &str) {
-        self.0.push(Error::Option(format!("`{option} {value}`: {text}")));
-    }
-
-    fn positive(&mut self, option: &str, value: f64, unit: &str) {
-        if !(value > 0.0 && value.is_finite()) {
-            self.wrong(option, value, &format!("must be finite and greater than 0 ({unit})"));
-        }
-    }
-
-    fn time(&mut self, option: &str, value: f64) {
-        if !(value >= 0.0 && value.is_finite()) {
-            self.wrong(option, value, "must be finite and at least 0 (s)");
-        }
-    }
-
-    fn share(&mut self, option: &str, value: f64) {
-        if !(LEAST_SHARE..1.0).contains(&value) {
-            self.wrong(option, value, &format!("must be at least {LEAST_SHARE} and less than 1; 0.05 is 5 %"));
-        }
-    }
-
-    fn all(&mut self) -> Result<(), Error> {
-        match self.0.len() {
-            0 => Ok(()),
-            1 => Err(self.0.remove(0)),
-            _ => Err(Error::Several(std::mem::take(&mut self.0))),
-        }
-    }
 }
 
 #[cfg(test)]
