@@ -84,7 +84,22 @@ fn undamped(frequencies: [f64; 2]) -> MinimumImpulse {
     solutions
 }
 
-/// One of the [`minimum_impulse`] shapers, counted from 1, which is the shortest. Takes less time than all of them.
+/// One of the [`minimum_impulse`] shapers, counted from 1, which is the shortest. Takes 3 µs without damping; with damping 4 µs to
+/// 7 µs for the first, where all together take some 100 µs.
+///
+/// ```
+/// use std::f64::consts::TAU;
+/// use swayless_shaping::{Kind, Mode, convolve, design, minimum_impulse_solution};
+///
+/// let modes = [Mode::new(1.0 * TAU, 0.0)?, Mode::new(4.0 * TAU, 0.0)?];
+/// let series = convolve(&design(Kind::ZV, modes[0], 0.0)?, &design(Kind::ZV, modes[1], 0.0)?)?;
+/// assert!((series.duration() - 0.625).abs() < 1e-15);
+/// let short = minimum_impulse_solution(modes, 1)?; // faster, for its negative impulse
+/// assert!((short.duration() - 0.4).abs() < 1e-15 && !short.is_positive());
+/// let medium = minimum_impulse_solution(modes, 2)?; // the fastest without one
+/// assert!((medium.duration() - 0.6).abs() < 1e-15 && medium.is_positive());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 ///
 /// # Errors
 /// [`MinimumImpulseError`] for an index of 0 or of more than there are, which it tells, and for modes too far apart.

@@ -200,6 +200,10 @@ proptest! {
         // the shortest of all
         prop_assert!((found[0].duration() - 2.0 * TAU / (slow + slow * ratio)).abs() <= 1e-14 * found[0].duration());
     }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(40))]
 
     #[test]
     fn convolution_is_linear_and_knows_no_order(kinds in proptest::sample::subsequence(Kind::OF_A_MODE.to_vec(), 2),
@@ -223,10 +227,6 @@ proptest! {
             prop_assert_eq!((one.time, 2.0 * one.amplitude), (two.time, two.amplitude));
         }
     }
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(40))]
 
     #[test]
     fn damped_solutions_leave_nothing(ratio in ratios(), exponent in -3.0..3.0_f64,
