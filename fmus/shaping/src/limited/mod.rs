@@ -15,6 +15,7 @@ use std::f64::consts::PI;
 
 use nalgebra::SVector;
 
+use crate::continuation::Pace;
 use crate::{Mode, Shaper, binomial, ei};
 use pulses::{Pulses, Unknowns};
 
@@ -155,31 +156,14 @@ fn follow(mode: Mode, path: impl Fn(f64) -> (f64, f64)) -> Result<Unknowns, f64>
     let r = mode.decay_angle();
     let [first, _, third] = binomial::amplitudes::<3>(mode);
     let start = SVector::from([first, third, PI, 2.0 * PI]);
-    let (mut here, mut before) = ((0.0, start), (0.0, start));
-    let mut step = (LONGEST_STEP / path(1.0).0).min(1.0);
-    for _ in 0..MAX_STEPS {
-        let next = if here.0 + step > 1.0 - 1e-12 { 1.0 } else { here.0 + step };
-        let guess = if here.0 > before.0 {
-            here.1 + (here.1 - before.1) * ((next - here.0) / (here.0 - before.0))
-        } else {
-            here.1
-        };
-        let (half, limit) = path(next);
-        let found = Pulses::new(r, half, limit).newton(guess).filter(|found| (found.0 - guess).amax() < NEAR);
-        if let Some(found) = found {
-            if next == 1.0 {
-                return Ok(found);
-            }
-            before = here;
-            here = (next, found.0);
-        } else {
-            step *= 0.5;
-            if step < LEAST_STEP {
-                break;
-            }
-        }
-    }
-    Err(here.0)
+    let first = (LONGEST_STEP / path(1.0).0).min(1.0);
+    let pace = Pace { first, growth: 1.0, shrinkage: 0.5, finest: 1e-4, most: 200 };
+    let solve = |guess: &SVector<f64, 4>, share| {
+        let (half, limit) = path(share);
+        let found = Pulses::new(r, half, limit).newton(*guess)?.0;
+        ((found - guess).amax() < NEAR).then_some(found)
+    };
+    pace.follow(1.0, |_| start, solve).map(Unknowns)
 }
 
 /// Half the bare ramp grows by so much a step, in radians.
@@ -187,8 +171,3 @@ const LONGEST_STEP: f64 = 0.8;
 
 /// Farther from the guess, in radians, it might be another branch.
 const NEAR: f64 = 0.5;
-
-const MAX_STEPS: usize = 200;
-
-/// Shorter steps mean that the branch ends.
-const LEAST_STEP: f64 = 1e-4;

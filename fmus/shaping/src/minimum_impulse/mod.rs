@@ -85,7 +85,7 @@ fn undamped(frequencies: [f64; 2]) -> MinimumImpulse {
 }
 
 /// One of the [`minimum_impulse`] shapers, counted from 1, which is the shortest. Takes 3 µs without damping; with damping 4 µs to
-/// 7 µs for the first, where all together take some 100 µs.
+/// 7 µs for the first, where all together take a few 100 µs.
 ///
 /// ```
 /// use std::f64::consts::TAU;
