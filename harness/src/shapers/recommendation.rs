@@ -2,6 +2,7 @@
 //!
 //! 1. A shaper *holds* if what it leaves, behind the drive if one is given, is at most the vibration limit over the whole range
 //!    of every mode.
+//!    Where no shaping at all holds, behind a drive, it is the choice.
 //! 2. It is *safe* if it has no negative impulse: whatever the command, the shaped one stays within the command's range, so a
 //!    drive that can follow the command can follow it.
 //! 3. The choice is the quickest shaper that holds and is safe. Where there is none, it is the quickest that holds; and where
@@ -50,19 +51,17 @@ struct Seen {
     worst: f64,
     holds: bool,
     safe: bool,
+    /// Whether it is no shaper at all.
+    bare: bool,
 }
 
-/// Applies the rules; `None` where no shaper was designed at all. No shaping is not a shaper.
+/// Applies the rules; `None` where no shaper was designed at all.
 pub fn recommend(candidates: &[Candidate], vibration_limit: f64) -> Option<Recommendation> {
     let seen = |(place, candidate): (usize, &Candidate)| {
-        let figures = candidate.figures().filter(|_| candidate.kind != Kind::None)?;
-        Some(Seen {
-            place,
-            delay: figures.delay,
-            worst: figures.worst(),
-            holds: holds(figures, vibration_limit),
-            safe: !figures.exceeds_command(),
-        })
+        let figures = candidate.figures()?;
+        let holds = holds(figures, vibration_limit);
+        let (bare, safe) = (candidate.kind == Kind::None, !figures.exceeds_command());
+        Some(Seen { place, delay: figures.delay, worst: figures.worst(), holds, safe, bare }).filter(|_| holds || !bare)
     };
     rules(&candidates.iter().enumerate().filter_map(seen).collect::<Vec<_>>())
 }
@@ -95,7 +94,9 @@ fn rules(seen: &[Seen]) -> Option<Recommendation> {
 /// Rule 3.
 fn choose(seen: &[Seen]) -> Option<Seen> {
     let of = |wanted: fn(&Seen) -> bool| seen.iter().filter(|one| wanted(one)).copied().collect::<Vec<_>>();
-    quickest(&of(|one| one.holds && one.safe))
+    of(|one| one.holds && one.bare)
+        .pop()
+        .or_else(|| quickest(&of(|one| one.holds && one.safe)))
         .or_else(|| quickest(&of(|one| one.holds)))
         .or_else(|| of(|one| one.safe).into_iter().min_by(quieter))
         .or_else(|| seen.iter().copied().min_by(quieter))
@@ -122,6 +123,7 @@ mod tests {
             worst,
             holds: worst <= 0.05,
             safe,
+            bare: false,
         };
         list.iter().enumerate().map(one).collect()
     }

@@ -141,6 +141,9 @@ fn the_recommendation_follows_the_limit() {
     let (best, _, _, quicker, _) =
         choice(&["--hertz", "1", "--insensitivity", "0.05", "--kind", "UMZV", "--kind", "ZV", "--kind", "ZVD"]);
     assert_eq!((best.as_str(), quicker), ("ZV", some("UMZV")));
+    // a ramp that takes a period leaves nothing by itself
+    let drive = ["--acceleration-limit", "1", "--velocity-limit", "1"];
+    assert_eq!(choice(&[&["--hertz", "1", "--insensitivity", "0.02"], &drive[..]].concat()).0, "None");
     // nothing holds, and the words say so
     let arguments = ["--hertz", "1", "--insensitivity", "1", "--kind", "ZV", "--kind", "ZVD"];
     let (best, holds, ..) = choice(&arguments);

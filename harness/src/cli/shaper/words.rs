@@ -70,7 +70,12 @@ pub fn recommendation(question: &Question, candidates: &[Candidate], found: Reco
         return String::new();
     };
     let (worst, cost) = (percent(choice.worst()), seconds(choice.delay));
+    let bare = candidates[found.choice].kind == Kind::None;
     let mut sentences = match found.holds {
+        true if bare => vec![format!(
+            "No shaper is needed: the drive alone keeps the residual vibration at or below {limit} over {range} ({worst} \
+             at most)."
+        )],
         true => vec![format!(
             "Take {name}: it keeps the residual vibration{behind} at or below {limit} over {range} ({worst} at most) and delays \
              the command by {cost}."
@@ -84,6 +89,9 @@ pub fn recommendation(question: &Question, candidates: &[Candidate], found: Reco
             },
         ],
     };
+    if bare {
+        return sentences.concat();
+    }
     if !choice.design.adds_up() {
         sentences.push(format!(
             "It is exact for changes of the command that do not meet: {} apart or more.",
@@ -95,10 +103,12 @@ pub fn recommendation(question: &Question, candidates: &[Candidate], found: Reco
     }
     if let Some((name, other)) = found.runner_up.and_then(at) {
         let longer = other.delay - choice.delay;
-        let length = match longer / choice.delay.abs().max(other.delay.abs()) {
-            share if share.abs() <= recommendation::AS_LONG => "about as long".to_owned(),
-            share if share > 0.0 => format!("{} longer", seconds(longer)),
-            _ => format!("{} shorter", seconds(-longer)),
+        let length = if longer.abs() <= recommendation::AS_LONG * choice.delay.max(other.delay) {
+            "about as long".to_owned()
+        } else if longer > 0.0 {
+            format!("{} longer", seconds(longer))
+        } else {
+            format!("{} shorter", seconds(-longer))
         };
         let holds = recommendation::holds(other, request.vibration_limit);
         let but = if found.holds && !holds { "but" } else { "and" };
