@@ -7,10 +7,12 @@ use swayless_mechanics::{AXES, Axis, AxisRates};
 use swayless_sensing::Timing;
 
 mod motion;
+mod ramp;
 mod response;
 mod variables;
 
-use motion::{Joints, is_physical, rates};
+use motion::{Joints, Moved, acceleration_limits, is_physical, moved};
+use ramp::{Ramp, Told};
 use response::{Driven, Response};
 use variables::{Discrete, Inputs, Parameters};
 
@@ -21,8 +23,12 @@ struct CartesianController;
 #[derive(Clone, Default, Serialize, Deserialize)]
 #[serde(try_from = "Parts")]
 struct Memory {
-    /// When the last sample was taken (s).
+    /// When the last sample was taken (s), and how long after the one before it.
     last: Option<f64>,
+    passed: f64,
+    /// What was told then, and at the sample before.
+    now: Told,
+    before: Told,
     drives: [Driven; AXES],
 }
 
@@ -30,15 +36,32 @@ struct Memory {
 #[derive(Deserialize)]
 struct Parts {
     last: Option<f64>,
+    passed: f64,
+    now: Told,
+    before: Told,
     drives: [Driven; AXES],
 }
 
 impl TryFrom<Parts> for Memory {
     type Error = &'static str;
 
-    fn try_from(Parts { last, drives }: Parts) -> Result<Self, Self::Error> {
-        let is_time = last.is_none_or(f64::is_finite);
-        is_time.then_some(Self { last, drives }).ok_or("the time of the last sample is none")
+    fn try_from(Parts { last, passed, now, before, drives }: Parts) -> Result<Self, Self::Error> {
+        let are_times = last.is_none_or(f64::is_finite) && (0.0..=f64::MAX).contains(&passed);
+        are_times.then_some(Self { last, passed, now, before, drives }).ok_or("the times of samples are none")
+    }
+}
+
+impl Memory {
+    /// Goes on to a sample: the drives have gone on with what they were told. A second sample at the same instant takes the
+    /// place of the first.
+    fn advance(&mut self, t: f64, response: Response) {
+        let passed = self.last.map_or(0.0, |last| t - last);
+        if passed > 0.0 {
+            (self.before, self.passed) = (self.now, passed);
+            let drives = self.drives.iter_mut().zip(&self.now.rates);
+            drives.for_each(|(drive, told)| *drive = response.driven(*drive, *told, passed));
+        }
+        self.last = Some(t);
     }
 }
 
@@ -49,18 +72,6 @@ fn response(p: &Parameters<f64>) -> Response {
     Response { frequency: p.drive.natural_frequency, damping: p.drive.damping_ratio }
 }
 
-fn told(d: &Discrete<f64>) -> AxisRates {
-    let mut rates = AxisRates::zeros();
-    rates[Axis::Slew as usize] = d.slew.rate;
-    rates[Axis::Luff as usize] = d.luff.rate;
-    rates[Axis::Hoist as usize] = d.hoist.rate;
-    rates[Axis::Trolley as usize] = d.trolley.rate;
-    rates[Axis::Extension as usize] = d.extension.rate;
-    rates[Axis::LuffLine as usize] = d.luff.line_speed;
-    rates[Axis::HoistLine as usize] = d.hoist.line_speed;
-    rates
-}
-
 fn tell(rates: &AxisRates, d: &mut Discrete<f64>) {
     d.slew.rate = rates[Axis::Slew as usize];
     d.luff.rate = rates[Axis::Luff as usize];
@@ -69,15 +80,6 @@ fn tell(rates: &AxisRates, d: &mut Discrete<f64>) {
     d.extension.rate = rates[Axis::Extension as usize];
     d.luff.line_speed = rates[Axis::LuffLine as usize];
     d.hoist.line_speed = rates[Axis::HoistLine as usize];
-}
-
-/// Lets the drives go on until now with what they have been told. A second sample at the same instant changes nothing.
-fn drive(memory: &mut Memory, response: Response, t: f64, told: &AxisRates) {
-    let passed = memory.last.map_or(0.0, |last| t - last);
-    if passed > 0.0 {
-        memory.drives.iter_mut().zip(told).for_each(|(drive, told)| *drive = response.driven(*drive, *told, passed));
-    }
-    memory.last = Some(t);
 }
 
 /// What is connected together: a crane's axes, and the ropes' instead of them.
@@ -174,19 +176,20 @@ impl Model for CartesianController {
     fn tick(_: usize, at: &mut Event<'_, Self>) {
         let (p, u, d, memory) = (at.p, at.u, &mut *at.d, &mut *at.memory);
         let (response, yaw_rate) = (response(p), cut(u.base.yaw_rate));
-        drive(memory, response, at.t, &told(d));
+        memory.advance(at.t, response);
+        let ramp = Ramp::new(memory.before, &acceleration_limits(p), memory.passed);
         let measured = Joints::measured(p, u);
         let way = |axis: Axis| response.way_to_go(memory.drives[axis as usize]);
         let mut joints = measured.moved(way, yaw_rate * response.delay());
         if p.look_ahead > 0.0 {
-            let now = rates(p, u, joints).rates;
+            let now = moved(p, u, joints, ramp.as_ref()).rates;
             joints = joints.moved(|axis| now[axis as usize] * p.look_ahead, yaw_rate * p.look_ahead);
         }
-        let motion = rates(p, u, joints);
-        tell(&motion.rates, d);
-        d.speed_fraction = motion.second;
-        d.base.cancelled_fraction = motion.first;
-        d.saturated = !motion.is_whole() || !is_physical(p, u);
+        let Moved { rates, velocity, shares, is_whole } = moved(p, u, joints, ramp.as_ref());
+        memory.now = Told { velocity, rates };
+        tell(&rates, d);
+        [d.base.cancelled_fraction, d.speed_fraction] = shares;
+        d.saturated = !is_whole || !is_physical(p, u);
         d.singular = measured.are_singular(p);
     }
 }

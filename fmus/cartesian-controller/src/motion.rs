@@ -2,9 +2,10 @@
 
 use swayless_crane::{are_physical, cut};
 use swayless_mechanics::{
-    Axis, AxisRates, Machine as Crane, Margin, Pace, Restraint, Rigging, Saturated, Scaling as Together, Vector,
+    AXES, Axis, AxisRates, Machine as Crane, Margin, Pace, Restraint, Rigging, Scaling as Together, Vector,
 };
 
+use crate::ramp::Ramp;
 use crate::variables::{Frame, Inputs, Machine, Parameters, Scaling};
 
 /// No joint is farther (m).
@@ -81,10 +82,16 @@ fn margin(p: &Parameters<f64>) -> Margin {
     Margin { luff: p.singularity_margin, radius: p.trolley.singularity_margin }
 }
 
+/// Something of each axis.
+fn of_axes(values: [(Axis, f64); AXES]) -> AxisRates {
+    let mut all = AxisRates::zeros();
+    values.into_iter().for_each(|(axis, value)| all[axis as usize] = value);
+    all
+}
+
 /// How fast each axis may be.
 fn limits(p: &Parameters<f64>) -> AxisRates {
-    let mut limits = AxisRates::zeros();
-    for (axis, limit) in [
+    of_axes([
         (Axis::Slew, p.slew.rate_limit),
         (Axis::Luff, p.luff.rate_limit),
         (Axis::Hoist, p.hoist.rate_limit),
@@ -92,10 +99,20 @@ fn limits(p: &Parameters<f64>) -> AxisRates {
         (Axis::Extension, p.extension.rate_limit),
         (Axis::LuffLine, p.luff.line_speed_limit),
         (Axis::HoistLine, p.hoist.line_speed_limit),
-    ] {
-        limits[axis as usize] = limit;
-    }
-    limits
+    ])
+}
+
+/// How fast each axis may get faster.
+pub fn acceleration_limits(p: &Parameters<f64>) -> AxisRates {
+    of_axes([
+        (Axis::Slew, p.slew.acceleration_limit),
+        (Axis::Luff, p.luff.acceleration_limit),
+        (Axis::Hoist, p.hoist.acceleration_limit),
+        (Axis::Trolley, p.trolley.acceleration_limit),
+        (Axis::Extension, p.extension.acceleration_limit),
+        (Axis::LuffLine, p.luff.line_acceleration_limit),
+        (Axis::HoistLine, p.hoist.line_acceleration_limit),
+    ])
 }
 
 /// A horizontal velocity in directions that are turned by an angle (rad) against its own.
@@ -106,12 +123,24 @@ fn seen_from(angle: f64, [x, y]: [f64; 2], up: f64) -> Vector<f64> {
     Vector::new(radial, tangential, up)
 }
 
-/// The rates that give the load its velocity with the joints there.
+/// How the load is moved.
+pub struct Moved {
+    /// The rates of the axes.
+    pub rates: AxisRates,
+    /// The velocity that the load is given of the command, in the world (m/s).
+    pub velocity: Vector<f64>,
+    /// The share of the base's motion that is made up for, and that of the command that the axes have the speed for.
+    pub shares: [f64; 2],
+    /// Whether nothing is lost.
+    pub is_whole: bool,
+}
+
+/// The rates that give the load its velocity with the joints there, or come closer to it as fast as axes can follow.
 ///
 /// The slewing axis moves with v_base + a ψ̇ b₂. Relative to it, and in directions that are turned by ψ + θ, a load at the
 /// distance R moves with Ṙ along and R (ψ̇ + θ̇) across. So the base's motion is made up for by T(−v_base − a ψ̇ b₂) and
 /// θ̇ = −ψ̇, and goes before: of the command there is what fits beside it.
-pub fn rates(p: &Parameters<f64>, u: &Inputs<f64>, joints: Joints) -> Saturated {
+pub fn moved(p: &Parameters<f64>, u: &Inputs<f64>, joints: Joints, ramp: Option<&Ramp>) -> Moved {
     let crane = joints.crane(p);
     let direction = joints.yaw + joints.slew;
     let from = match p.frame {
@@ -124,16 +153,51 @@ pub fn rates(p: &Parameters<f64>, u: &Inputs<f64>, joints: Joints) -> Saturated 
     let (sin, cos) = joints.yaw.sin_cos();
     let carried = p.boom.offset * yaw_rate;
     let axis = [base_x - carried * sin, base_y + carried * cos];
+    let mut base = crane.rates(-seen_from(direction, axis, 0.0));
+    base[Axis::Slew as usize] -= yaw_rate;
 
-    let mut first = crane.rates(-seen_from(direction, axis, 0.0));
-    first[Axis::Slew as usize] -= yaw_rate;
-    let second = crane.rates(seen_from(from, [x, y], up));
-    let pace = Pace { horizontal: axis[0].hypot(axis[1]) + x.hypot(y), vertical: up, yaw: yaw_rate };
-    let scaling = match p.scaling {
+    let restraint = Restraint { limits: limits(p), margin: margin(p), scaling: together(p.scaling) };
+    let saturate = |velocity: Vector<f64>| {
+        let pace = Pace {
+            horizontal: axis[0].hypot(axis[1]) + velocity.x.hypot(velocity.y),
+            vertical: velocity.z,
+            yaw: yaw_rate,
+        };
+        crane.saturate([base, crane.rates(velocity)], pace, &restraint)
+    };
+    // What is left of a velocity: the hoist by itself keeps it.
+    let left = |velocity: Vector<f64>, share: f64| match p.scaling {
+        Scaling::Uniform => velocity * share,
+        Scaling::Thesis => velocity,
+    };
+    let wanted = seen_from(from, [x, y], up);
+    let full = saturate(wanted);
+    let (mut velocity, mut given, mut share) = (left(wanted, full.second), full, 1.0);
+    if let Some(Ramp { before, changes }) = ramp {
+        let there = seen_from(direction, [before.velocity.x, before.velocity.y], before.velocity.z);
+        let rates = |velocity| base * full.first + crane.rates(velocity);
+        let (here, goal) = (rates(there), rates(velocity));
+        share = changes.share(&(here - before.rates), &(goal - here));
+        if share < 1.0 {
+            velocity = there + (velocity - there) * share;
+            given = saturate(velocity);
+            velocity = left(velocity, given.second);
+        }
+    }
+    let [x, y] = [velocity.x, velocity.y];
+    Moved {
+        rates: given.rates,
+        velocity: seen_from(-direction, [x, y], velocity.z),
+        shares: [full.first, full.second],
+        is_whole: full.is_whole() && share == 1.0,
+    }
+}
+
+fn together(scaling: Scaling) -> Together {
+    match scaling {
         Scaling::Uniform => Together::Uniform,
         Scaling::Thesis => Together::WithoutHoist,
-    };
-    crane.saturate([first, second], pace, &Restraint { limits: limits(p), margin: margin(p), scaling })
+    }
 }
 
 /// Whether no input is cut.

@@ -1,6 +1,6 @@
 //! The variables of the Cartesian controller.
 
-use swayless_crane::{BaseVelocity, FASTEST};
+use swayless_crane::{BaseVelocity, FASTEST, HoistSheaveParameters, JibParameters, STRONGEST};
 use swayless_export::{Enumeration, Scalar, Variables};
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Enumeration)]
@@ -45,11 +45,11 @@ pub struct Parameters<R: Scalar> {
     pub boom: BoomParameters<R>,
     pub jib: JibParameters<R>,
     pub hoist_sheave: HoistSheaveParameters<R>,
-    pub slew: RateLimit<R>,
-    pub luff: LineLimits<R>,
+    pub slew: SlewLimits<R>,
+    pub luff: LuffLimits<R>,
     pub hoist: HoistLimits<R>,
     pub trolley: TrolleyParameters<R>,
-    pub extension: ExtensionLimit<R>,
+    pub extension: ExtensionLimits<R>,
     pub drive: DriveParameters<R>,
     /// How close to a singular luff angle the load gets slower.
     #[variable(unit = "rad", start = 0.05, min = 1e-4, max = 0.5)]
@@ -73,37 +73,29 @@ pub struct BoomParameters<R: Scalar> {
 }
 
 #[derive(Clone, Variables)]
-pub struct JibParameters<R: Scalar> {
-    /// Length of the jib that the luff line comes from, from the boom's foot (H).
-    #[variable(unit = "m", start = 6.5, min = 1e-3, max = 1e4)]
-    pub length: R,
-    /// Angle of that jib above the horizontal on the boom's side (Ψ).
-    #[variable(unit = "rad", start = 2.4, min = 0.0, max = std::f64::consts::PI)]
-    pub angle: R,
-}
-
-#[derive(Clone, Variables)]
-pub struct HoistSheaveParameters<R: Scalar> {
-    /// Distance of the hoist line's sheave on the jib from the boom's foot (A).
-    #[variable(unit = "m", start = 6.0, min = 0.0, max = 1e4)]
-    pub distance: R,
-}
-
-#[derive(Clone, Variables)]
-pub struct RateLimit<R: Scalar> {
+pub struct SlewLimits<R: Scalar> {
     /// Greatest slew rate; 0 locks the axis.
     #[variable(unit = "rad/s", start = FASTEST, min = 0.0, max = FASTEST)]
     pub rate_limit: R,
+    /// Greatest acceleration of the slew.
+    #[variable(unit = "rad/s2", start = STRONGEST, min = 1e-6, max = STRONGEST)]
+    pub acceleration_limit: R,
 }
 
 #[derive(Clone, Variables)]
-pub struct LineLimits<R: Scalar> {
+pub struct LuffLimits<R: Scalar> {
     /// Greatest luff rate; 0 locks the axis.
     #[variable(unit = "rad/s", start = FASTEST, min = 0.0, max = FASTEST)]
     pub rate_limit: R,
+    /// Greatest acceleration of the luff.
+    #[variable(unit = "rad/s2", start = STRONGEST, min = 1e-6, max = STRONGEST)]
+    pub acceleration_limit: R,
     /// Greatest speed of the luff line; 0 locks the axis.
     #[variable(unit = "m/s", start = FASTEST, min = 0.0, max = FASTEST)]
     pub line_speed_limit: R,
+    /// Greatest acceleration of the luff line.
+    #[variable(unit = "m/s2", start = STRONGEST, min = 1e-6, max = STRONGEST)]
+    pub line_acceleration_limit: R,
 }
 
 #[derive(Clone, Variables)]
@@ -111,9 +103,15 @@ pub struct HoistLimits<R: Scalar> {
     /// Greatest rate of the suspension length; 0 locks it.
     #[variable(unit = "m/s", start = FASTEST, min = 0.0, max = FASTEST)]
     pub rate_limit: R,
+    /// Greatest acceleration of the suspension length.
+    #[variable(unit = "m/s2", start = STRONGEST, min = 1e-6, max = STRONGEST)]
+    pub acceleration_limit: R,
     /// Greatest speed of the hoist line; 0 locks the axis.
     #[variable(unit = "m/s", start = FASTEST, min = 0.0, max = FASTEST)]
     pub line_speed_limit: R,
+    /// Greatest acceleration of the hoist line.
+    #[variable(unit = "m/s2", start = STRONGEST, min = 1e-6, max = STRONGEST)]
+    pub line_acceleration_limit: R,
 }
 
 #[derive(Clone, Variables)]
@@ -121,16 +119,22 @@ pub struct TrolleyParameters<R: Scalar> {
     /// Greatest speed of the trolley; 0 locks the axis.
     #[variable(unit = "m/s", start = FASTEST, min = 0.0, max = FASTEST)]
     pub rate_limit: R,
+    /// Greatest acceleration of the trolley.
+    #[variable(unit = "m/s2", start = STRONGEST, min = 1e-6, max = STRONGEST)]
+    pub acceleration_limit: R,
     /// How close to the slewing axis the load gets slower.
     #[variable(unit = "m", start = 0.5, min = 1e-4, max = 1e3)]
     pub singularity_margin: R,
 }
 
 #[derive(Clone, Variables)]
-pub struct ExtensionLimit<R: Scalar> {
+pub struct ExtensionLimits<R: Scalar> {
     /// Greatest rate of the boom's extension; 0 locks the axis.
     #[variable(unit = "m/s", start = FASTEST, min = 0.0, max = FASTEST)]
     pub rate_limit: R,
+    /// Greatest acceleration of the boom's extension.
+    #[variable(unit = "m/s2", start = STRONGEST, min = 1e-6, max = STRONGEST)]
+    pub acceleration_limit: R,
 }
 
 #[derive(Clone, Variables)]

@@ -1,5 +1,6 @@
 //! The variables of the luffing and hoisting ropes.
 
+use swayless_crane::{HoistSheaveParameters, JibParameters};
 use swayless_export::{Enumeration, Scalar, Variables};
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Enumeration)]
@@ -38,23 +39,6 @@ pub struct BoomParameters<R: Scalar> {
     /// Distance of the boom's centre of mass from its foot.
     #[variable(unit = "m", start = 9.0, min = 0.0, max = 1e4)]
     pub center: R,
-}
-
-#[derive(Clone, Variables)]
-pub struct JibParameters<R: Scalar> {
-    /// Length of the jib, from the boom's foot to the start of the luff line (H).
-    #[variable(unit = "m", start = 6.5, min = 1e-3, max = 1e4)]
-    pub length: R,
-    /// Angle of the jib above the horizontal on the boom's side (Ψ).
-    #[variable(unit = "rad", start = 2.4, min = 0.0, max = std::f64::consts::PI)]
-    pub angle: R,
-}
-
-#[derive(Clone, Variables)]
-pub struct HoistSheaveParameters<R: Scalar> {
-    /// Distance of the hoist line's sheave on the jib from the boom's foot (A).
-    #[variable(unit = "m", start = 6.0, min = 0.0, max = 1e4)]
-    pub distance: R,
 }
 
 #[derive(Clone, Variables)]

@@ -4,56 +4,8 @@
 //! The velocity is one in the crane's own directions – radial, tangential, upwards – relative to the slewing axis. At a
 //! singular position some velocity would take an infinite rate; near to one, [`Machine::ranges`] says what is left.
 
+use crate::axes::{Axis, AxisRates, RateRanges};
 use crate::{Luffing, Vector};
-
-/// What a crane moves by. Ropes do what luff and hoist do, by another drive.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[allow(missing_docs, reason = "the names say it")]
-pub enum Axis {
-    Slew,
-    Luff,
-    Hoist,
-    Trolley,
-    Extension,
-    /// The luff line; positive reels in.
-    LuffLine,
-    /// The hoist line; positive pays out.
-    HoistLine,
-}
-
-/// How many kinds of axes there are.
-pub const AXES: usize = 7;
-
-/// A rate of each [`Axis`] (rad/s, m/s), 0 where a machine has none.
-pub type AxisRates = nalgebra::SVector<f64, AXES>;
-
-/// Between which rates an axis can move, 0 among them.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RateRange {
-    /// The least rate, not positive.
-    pub min: f64,
-    /// The greatest rate, not negative.
-    pub max: f64,
-}
-
-impl RateRange {
-    /// As fast in both directions.
-    pub fn either_way(limit: f64) -> Self {
-        Self { min: -limit, max: limit }
-    }
-
-    /// Not faster than `limit` either way.
-    #[must_use]
-    fn within(self, limit: f64) -> Self {
-        Self { min: self.min.max(-limit), max: self.max.min(limit) }
-    }
-
-    /// With a share only of the speed in the direction of `sign`.
-    #[must_use]
-    fn slowed(self, sign: f64, share: f64) -> Self {
-        if sign > 0.0 { Self { max: self.max * share, ..self } } else { Self { min: self.min * share, ..self } }
-    }
-}
 
 /// How close to a singular position a machine slows down.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -109,11 +61,6 @@ fn off_zero(x: f64) -> f64 {
     if x < 0.0 { x.min(-LEAST) } else { x.max(LEAST) }
 }
 
-/// An axis' place among rates.
-const fn of(axis: Axis) -> usize {
-    axis as usize
-}
-
 impl Machine {
     /// The rates that move the load with a velocity (m/s; radial, tangential, upwards) relative to the slewing axis.
     ///
@@ -128,22 +75,22 @@ impl Machine {
             Self::Boom { length, luff, ropes } => {
                 let (sin, cos) = luff.sin_cos();
                 let luffing = -radial / (length * off_zero(sin));
-                rates[of(Axis::Luff)] = luffing;
-                rates[of(Axis::Slew)] = tangential / (length * off_zero(cos));
-                rates[of(Axis::Hoist)] = length * cos * luffing - up;
-                rates[of(Axis::LuffLine)] = ropes.luff_line.arm * luffing;
-                rates[of(Axis::HoistLine)] = rates[of(Axis::Hoist)] - ropes.hoist_line.arm * luffing;
+                rates[Axis::Luff as usize] = luffing;
+                rates[Axis::Slew as usize] = tangential / (length * off_zero(cos));
+                rates[Axis::Hoist as usize] = length * cos * luffing - up;
+                rates[Axis::LuffLine as usize] = ropes.luff_line.arm * luffing;
+                rates[Axis::HoistLine as usize] = rates[Axis::Hoist as usize] - ropes.hoist_line.arm * luffing;
             }
             Self::Tower { radius } => {
-                rates[of(Axis::Trolley)] = radial;
-                rates[of(Axis::Slew)] = tangential / off_zero(radius);
-                rates[of(Axis::Hoist)] = -up;
+                rates[Axis::Trolley as usize] = radial;
+                rates[Axis::Slew as usize] = tangential / off_zero(radius);
+                rates[Axis::Hoist as usize] = -up;
             }
             Self::BoomLift { length, luff } => {
                 let (sin, cos) = luff.sin_cos();
-                rates[of(Axis::Extension)] = cos * radial + sin * up;
-                rates[of(Axis::Luff)] = (cos * up - sin * radial) / length;
-                rates[of(Axis::Slew)] = tangential / (length * off_zero(cos));
+                rates[Axis::Extension as usize] = cos * radial + sin * up;
+                rates[Axis::Luff as usize] = (cos * up - sin * radial) / length;
+                rates[Axis::Slew as usize] = tangential / (length * off_zero(cos));
             }
         }
         rates
@@ -163,36 +110,36 @@ impl Machine {
     ///
     /// No rate gets greater than at the margin: within, the load moves slower instead. And what brings the machine closer
     /// to a singular position gets slower on its way and stops there; what leads away from it goes on.
-    pub fn ranges(&self, limits: &AxisRates, pace: Pace, margin: Margin) -> [RateRange; AXES] {
-        let mut ranges: [RateRange; AXES] = core::array::from_fn(|axis| RateRange::either_way(limits[axis]));
+    pub fn ranges(&self, limits: &AxisRates, pace: Pace, margin: Margin) -> RateRanges {
+        let mut ranges = RateRanges::either_way(limits);
         let share = |way: f64, margin: f64| (way / margin).min(1.0);
-        let (slew, luff, trolley) = (of(Axis::Slew), of(Axis::Luff), of(Axis::Trolley));
+        let (slew, luff, trolley) = (Axis::Slew as usize, Axis::Luff as usize, Axis::Trolley as usize);
         match *self {
             Self::Boom { length, luff: angle, .. } => {
                 let most = pace.horizontal / (length * margin.luff.sin());
-                ranges[slew] = ranges[slew].within(most + pace.yaw.abs());
+                ranges.0[slew] = ranges.0[slew].within(most + pace.yaw.abs());
                 let (low, up) = from_horizontal(angle);
                 let (high, down) = from_upright(angle);
                 // Towards the upright the luff rate needs no bound other than its own.
                 let most = if high < margin.luff { pace.horizontal / (length * angle.sin().abs()) } else { most };
-                ranges[luff] = ranges[luff]
+                ranges.0[luff] = ranges.0[luff]
                     .within(most)
                     .slowed(-up, share(low, margin.luff))
                     .slowed(-down, share(high, margin.luff));
             }
             Self::Tower { radius } => {
-                ranges[slew] = ranges[slew].within(pace.horizontal / margin.radius + pace.yaw.abs());
+                ranges.0[slew] = ranges.0[slew].within(pace.horizontal / margin.radius + pace.yaw.abs());
                 if radius < margin.radius {
-                    ranges[trolley] =
-                        ranges[trolley].within(pace.horizontal).slowed(-1.0, share(radius, margin.radius));
+                    ranges.0[trolley] =
+                        ranges.0[trolley].within(pace.horizontal).slowed(-1.0, share(radius, margin.radius));
                 }
             }
             Self::BoomLift { length, luff: angle } => {
                 let most = pace.horizontal / (length * margin.luff.sin());
-                ranges[slew] = ranges[slew].within(most + pace.yaw.abs());
+                ranges.0[slew] = ranges.0[slew].within(most + pace.yaw.abs());
                 let (high, down) = from_upright(angle);
                 if high < margin.luff {
-                    ranges[luff] = ranges[luff]
+                    ranges.0[luff] = ranges.0[luff]
                         .within(pace.horizontal.hypot(pace.vertical) / length)
                         .slowed(-down, share(high, margin.luff));
                 }
@@ -222,6 +169,7 @@ mod tests {
     use swayless_scalar::Dual;
 
     use super::*;
+    use crate::axes::AXES;
     use crate::{Boom, BoomRates, Jib, JibRates, Rigging, SwingFrame};
 
     const MARGIN: Margin = Margin { luff: 0.05, radius: 0.5 };
@@ -391,12 +339,12 @@ mod tests {
                     continue;
                 }
                 for velocity in [[5.0, 0.0, 1.0], [-3.0, 4.0, -1.0], [0.0, -5.0, 0.0]].map(Vector::from) {
-                    let free = machine.ranges(&AxisRates::repeat(f64::INFINITY), pace, MARGIN);
+                    let free = machine.ranges(&AxisRates::repeat(f64::INFINITY), pace, MARGIN).0;
                     let rates = machine.rates(velocity);
                     let fits = |axis: usize| free[axis].min <= rates[axis] && rates[axis] <= free[axis].max;
                     // At the margin itself both are the same but for rounding.
                     assert!((0..AXES).all(|axis| fits(axis) || rates[axis].abs() < 1.0001 * free[axis].max));
-                    let ranges = machine.ranges(&limits, pace, MARGIN);
+                    let ranges = machine.ranges(&limits, pace, MARGIN).0;
                     assert!((0..AXES).all(|axis| ranges[axis].max <= 0.3 && ranges[axis].min >= -0.3));
                 }
             }

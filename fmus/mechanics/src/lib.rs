@@ -3,6 +3,7 @@
 //! Frames: world x, y horizontal, z up. A payload is written by the unit vector **n** from its pivot to it and by its
 //! velocity across the cable **w**; a crane is only the map from its joint rates to its pivot's velocity.
 
+mod axes;
 mod boom;
 mod cartesian;
 mod double_payload;
@@ -17,8 +18,9 @@ mod swing;
 mod vehicle;
 mod vertical;
 
+pub use axes::{AXES, Axis, AxisRates, RateRange, RateRanges};
 pub use boom::{Boom, BoomAccelerations, BoomRates};
-pub use cartesian::{AXES, Axis, AxisRates, Machine, Margin, Pace, RateRange};
+pub use cartesian::{Machine, Margin, Pace};
 pub use double_payload::{DoublePayload, DoubleSuspension, DoubleVelocity};
 pub use jib::{Jib, JibRates};
 pub use limit::Limits;

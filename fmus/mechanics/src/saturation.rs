@@ -1,7 +1,8 @@
 //! What is left of a motion when axes come to their limits (thesis 3.3, eqs. 3.20 and 3.21): all rates get slower by the
 //! same share, so that the load goes on along its path.
 
-use crate::cartesian::{AXES, Axis, AxisRates, Machine, Margin, Pace, RateRange};
+use crate::axes::{AXES, Axis, AxisRates};
+use crate::cartesian::{Machine, Margin, Pace};
 
 /// Which rates get slower together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,19 +33,6 @@ impl Saturated {
     }
 }
 
-/// The greatest share, at most 1, of `more` that fits into the ranges on top of what there is, over some axes.
-fn share(there: &AxisRates, more: &AxisRates, ranges: &[RateRange; AXES], counts: impl Fn(usize) -> bool) -> f64 {
-    let room = |axis: usize| {
-        let (there, more, range) = (there[axis], more[axis], ranges[axis]);
-        match more {
-            0.0 => 1.0,
-            _ if more > 0.0 => (range.max - there) / more,
-            _ => (range.min - there) / more,
-        }
-    };
-    (0..AXES).filter(|axis| counts(*axis)).map(room).fold(1.0, f64::min).max(0.0)
-}
-
 /// What holds axes back.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Restraint {
@@ -63,21 +51,21 @@ impl Machine {
         let Restraint { limits, margin, scaling } = restraint;
         let still = AxisRates::zeros();
         let free = self.ranges(&AxisRates::repeat(f64::INFINITY), pace, *margin);
-        let slow_first = share(&still, &first, &free, |_| true);
+        let slow_first = free.share(&still, &first);
         let first = first * slow_first;
-        let slow_second = share(&first, &second, &free, |_| true);
+        let slow_second = free.share(&first, &second);
         let second = second * slow_second;
 
         let ranges = self.ranges(limits, pace, *margin);
         let [hoist, line] = [Axis::Hoist as usize, Axis::HoistLine as usize];
         let counts = |axis| *scaling == Scaling::Uniform || ![hoist, line].contains(&axis);
-        let share_first = share(&still, &first, &ranges, counts);
-        let share_second = share(&(first * share_first), &second, &ranges, counts);
+        let share_first = ranges.share_of(&still, &first, counts);
+        let share_second = ranges.share_of(&(first * share_first), &second, counts);
         let mut rates = first * share_first + second * share_second;
         let mut is_hoist_cut = false;
         if *scaling == Scaling::WithoutHoist {
             let mut cut = |axis: usize, rate: f64| {
-                let cut = rate.clamp(ranges[axis].min, ranges[axis].max);
+                let cut = ranges.0[axis].cut(rate);
                 is_hoist_cut |= cut != rate;
                 cut
             };
@@ -92,7 +80,7 @@ impl Machine {
         }
         // Within the ranges to the last bit.
         for axis in (0..AXES).filter(|axis| counts(*axis)) {
-            rates[axis] = rates[axis].clamp(ranges[axis].min, ranges[axis].max);
+            rates[axis] = ranges.0[axis].cut(rates[axis]);
         }
         Saturated { rates, first: slow_first * share_first, second: slow_second * share_second, is_hoist_cut }
     }

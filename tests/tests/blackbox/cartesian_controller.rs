@@ -159,6 +159,34 @@ fn saturation_keeps_the_direction() {
     assert_eq!(locked, [0.0; 7]);
 }
 
+/// From rest to full speed no axis gets faster than it can, one of them as fast as it can, and all of them together.
+#[test]
+fn axes_speed_up_together() {
+    let limits = [("slew", 0.05), ("luff", 0.02), ("hoist", 0.3)];
+    let names = limits.map(|(axis, _)| format!("{axis}.acceleration_limit"));
+    let values: Vec<_> = names.iter().zip(limits).map(|(name, (_, limit))| (name.as_str(), Set::Real(limit))).collect();
+    let inputs = [("luff.angle", 0.9), ("slew.angle", 0.4), ("velocity.x", 0.5), ("velocity.y", -0.7)];
+    let full = rates(&mut controller(&[]), &inputs);
+    let mut controller = controller(&values);
+    // At the start there has been no time to get faster.
+    let mut before = rates(&mut controller, &inputs);
+    assert!(before.iter().all(|rate| *rate == 0.0) && controller.get_switch("saturated"));
+    let mut steps = 0;
+    while before != full {
+        let now = rates(&mut controller, &inputs);
+        let shares: Vec<f64> = (0..3).map(|i| (now[i] - before[i]).abs() / (limits[i].1 * STEP)).collect();
+        let most = shares.iter().copied().fold(0.0, f64::max);
+        let share = now[0] / full[0];
+        assert!(most < 1.0 + 1e-9 && (most > 1.0 - 1e-9 || share == 1.0), "{shares:?} at {share}");
+        assert!((0..7).all(|i| (now[i] - share * full[i]).abs() < 1e-12), "{now:?} of {full:?}");
+        assert_eq!(controller.get_switch("saturated"), share < 1.0);
+        before = now;
+        steps += 1;
+    }
+    let slowest = (0..3).map(|i| full[i].abs() / (limits[i].1 * STEP)).fold(0.0, f64::max);
+    assert_eq!(f64::from(steps), slowest.ceil());
+}
+
 /// At a singular luff angle and right beside it: finite, slower, told, and free to leave.
 #[test]
 fn singular_positions_are_told_and_left() {

@@ -26,8 +26,9 @@ const HEIGHT: [(&str, f64); 2] = [("crane.tip.z", 1.0), ("crane.hoist.length", -
 /// Until then the boom crane's load is to keep its height (s).
 const LEVEL: f64 = 49.0;
 
-/// A straight line over which the slew comes to its limit, through drives that lag. Lag and steps cost less than a
-/// millimetre of height; what the controller does not know of its drives, and what the thesis's law leaves out, cost more.
+/// A straight line over which the slew comes to its limit, through drives that lag and have acceleration limits. These and
+/// the steps cost less than a millimetre of height; what the controller does not know of its drives, and what the thesis's
+/// law leaves out, cost more.
 #[test]
 fn the_boom_cranes_load_keeps_its_height_through_saturation() {
     let record = run("cartesian-boom-crane", "0.01", &[]);
@@ -45,8 +46,13 @@ fn the_boom_cranes_load_keeps_its_height_through_saturation() {
     let thesis = strays(&run_with("cartesian-boom-crane", "0.01", &["controller.scaling=Thesis"]), &HEIGHT, LEVEL);
     let unknown = run_with("cartesian-boom-crane", "0.01", &["controller.drive.natural_frequency=0"]);
     let unknown = strays(&unknown, &HEIGHT, LEVEL);
-    println!("the thesis's law: {thesis:.3} m; drives that are not known: {unknown:.3} m");
-    assert!(thesis > 0.05 && unknown > 0.05, "{thesis} m, {unknown} m");
+    let axes = ["slew", "luff", "hoist"].map(|axis| format!("controller.{axis}.acceleration_limit=1e6"));
+    let sudden =
+        strays(&run_with("cartesian-boom-crane", "0.01", &axes.each_ref().map(String::as_str)), &HEIGHT, LEVEL);
+    println!(
+        "the thesis's law: {thesis:.3} m; lag not known: {unknown:.3} m; acceleration limits not known: {sudden:.3} m"
+    );
+    assert!(thesis > 0.05 && unknown > 0.05 && sudden > 0.01, "{thesis} m, {unknown} m, {sudden} m");
 }
 
 /// The shapers stand before the controller and do not know what the joints do.
@@ -63,11 +69,11 @@ fn shapers_still_what_moves_along_lines() {
 
 #[test]
 fn the_tower_cranes_trolley_moves_along_a_line() {
-    let record = run("cartesian-tower-crane", "0.02", &[]);
+    let record = run("cartesian-tower-crane", "0.01", &[]);
     let (line, saturated) =
         (strays(&record, &[("crane.trolley.y", 1.0)], 44.0), lasts(&record, "controller.saturated"));
     println!("{:.2} mm off a line over {saturated:.1} s of saturation", 1e3 * line);
-    assert!(line < 3e-3 && saturated > 15.0, "{line} m, {saturated} s");
+    assert!(line < 5e-3 && saturated > 15.0, "{line} m, {saturated} s");
     assert!(strays(&record, &[("crane.trolley.x", 1.0)], 44.0) > 28.0);
     assert!(record["crane.at_limit"].iter().all(|flag| *flag == 0.0));
 }
