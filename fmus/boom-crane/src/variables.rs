@@ -1,8 +1,8 @@
 //! The variables of the boom crane.
 
 use swayless_crane::{
-    BaseStates, BaseVelocity, CableStates, HoistParameters, HoistStates, HoistStop, LuffParameters, LuffStates,
-    LuffStop, PayloadStates, Position, SlewStates, SwingOutputs, SwingParameters, Wind,
+    BaseAcceleration, BaseStates, BaseVelocity, CableStates, HoistParameters, HoistStates, HoistStop, LuffParameters,
+    LuffStates, LuffStop, PayloadStates, Position, SlewStates, SwingOutputs, SwingParameters, Wind,
 };
 use swayless_export::{Scalar, Variables};
 use swayless_mechanics::Limits;
@@ -75,16 +75,6 @@ pub struct BaseInputs<R: Scalar> {
     /// Yaw acceleration of the base; it matters to the tension only.
     #[variable(unit = "rad/s2")]
     pub yaw_acceleration: R,
-}
-
-#[derive(Clone, Variables)]
-pub struct BaseAcceleration<R: Scalar> {
-    /// Acceleration of the base's reference point, world x; it matters to the tension only.
-    #[variable(unit = "m/s2")]
-    pub x: R,
-    /// Acceleration of the base's reference point, world y; it matters to the tension only.
-    #[variable(unit = "m/s2")]
-    pub y: R,
 }
 
 #[derive(Clone, Variables)]

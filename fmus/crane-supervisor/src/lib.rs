@@ -1,6 +1,7 @@
 //! `CraneSupervisor`: what the PLC of a crane does (thesis 4.1.2).
 
 use swayless_export::{Clock, Event, Info, Interval, Model, Point, Problem, Scalar, Terminal, export_fmu};
+use swayless_sensing::Timing;
 use swayless_supervision::{AXES, Fault, Limits, Observation, Settings, Supervisor, Times, Tolerances};
 
 mod variables;
@@ -9,9 +10,6 @@ use variables::{Discrete, FaultCode, Inputs, Parameters, State};
 
 /// The model.
 struct CraneSupervisor;
-
-/// No supervisor samples faster (s): a second of it still takes but a moment to compute.
-const SHORTEST: f64 = 1e-5;
 
 /// What is connected together.
 const TERMINALS: &[Terminal] = &[
@@ -113,10 +111,9 @@ impl Model for CraneSupervisor {
             let message = format!("is {max}; it must be at least position_min[{}] of {min}", axis + 1);
             Problem::new(format!("position_max[{}]", axis + 1), message)
         });
-        let fast = (p.sample_time > 0.0 && p.sample_time < SHORTEST).then(|| {
-            Problem::new("sample_time", format!("is {} s; it must be 0 or at least {SHORTEST} s", p.sample_time))
-        });
-        ends.chain(fast).collect()
+        let timing = Timing { sample_time: p.sample_time, latency: 0.0 }.check();
+        let timing = timing.err().map(|error| Problem::new(error.quantity(), error.to_string()));
+        ends.chain(timing).collect()
     }
 
     fn derivatives<R: Scalar>(_: &Point<'_, Self, R>) {}

@@ -26,3 +26,14 @@ pub struct BaseVelocity<R: Scalar> {
     #[variable(unit = "m/s")]
     pub y: R,
 }
+
+/// How its motion changes.
+#[derive(Clone, Variables)]
+pub struct BaseAcceleration<R: Scalar> {
+    /// Acceleration of the base's reference point, world x.
+    #[variable(unit = "m/s2")]
+    pub x: R,
+    /// Acceleration of the base's reference point, world y.
+    #[variable(unit = "m/s2")]
+    pub y: R,
+}

@@ -13,7 +13,7 @@ mod swing;
 pub mod terminals;
 mod wind;
 
-pub use base::{BaseStates, BaseVelocity};
+pub use base::{BaseAcceleration, BaseStates, BaseVelocity};
 pub use cut::{FASTEST, STRONGEST, are_physical, cut, cut_acceleration};
 pub use hoist::{HoistInputs, HoistParameters, HoistStates, HoistStop};
 pub use luff::{LuffParameters, LuffStates, LuffStop};

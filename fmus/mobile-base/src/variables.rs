@@ -1,6 +1,6 @@
 //! The variables of the mobile base.
 
-use swayless_crane::{BaseStates, BaseVelocity};
+use swayless_crane::{BaseAcceleration, BaseStates, BaseVelocity};
 use swayless_export::{Scalar, Variables};
 
 #[derive(Clone, Variables)]
@@ -52,16 +52,6 @@ pub struct BaseOutputs<R: Scalar> {
     /// Yaw acceleration of the base.
     #[variable(unit = "rad/s2")]
     pub yaw_acceleration: R,
-}
-
-#[derive(Clone, Variables)]
-pub struct BaseAcceleration<R: Scalar> {
-    /// Acceleration of the base's reference point, world x.
-    #[variable(unit = "m/s2")]
-    pub x: R,
-    /// Acceleration of the base's reference point, world y.
-    #[variable(unit = "m/s2")]
-    pub y: R,
 }
 
 #[derive(Clone, Variables)]

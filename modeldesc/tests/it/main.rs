@@ -2,6 +2,8 @@
 
 #![cfg(feature = "ssp")]
 
+mod any_description;
+mod any_value;
 mod check;
 mod properties;
 mod read;

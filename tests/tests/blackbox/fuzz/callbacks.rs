@@ -162,7 +162,8 @@ unsafe fn steps(importer: &Importer<'_>) {
 unsafe fn partitions(importer: &Importer<'_>) {
     let activate = importer.f.fmi3ActivateModelPartition.expect("a function");
     let clocks = importer.references(|v| v.data_type == DataType::Clock && v.causality == Causality::Input);
-    let signals = importer.references(|v| v.data_type == DataType::Float64 && v.causality == Causality::Input);
+    let scalar = |v: &Variable| v.data_type == DataType::Float64 && v.dimensions.is_empty();
+    let signals = importer.references(|v| scalar(v) && v.causality == Causality::Input);
     for k in 0..60_u32 {
         let values = vec![f64::from(k % 20) - 10.0; signals.len()];
         // SAFETY: an instance, and arrays that are as long as announced.
