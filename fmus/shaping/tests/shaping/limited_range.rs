@@ -105,6 +105,7 @@ fn refusals() {
         assert!(matches!(error, LimitedError::Range(SpecifiedError::VibrationLimit { .. })));
         assert!(error.to_string().contains(&value.to_string()));
     }
+    assert!(matches!(refused(1.0, 1.1, 0.0, 0.5, 1e-9), LimitedError::Range(SpecifiedError::TooWide)));
     let error = refused(1.0, 1.0, 0.0, 3.5, 0.05);
     let LimitedError::TooSlow { feasible_share, .. } = error else { panic!("{error}") };
     assert!(limited_insensitivity(around(1.0, 0.1), 0.0, ramp(3.5 * feasible_share), 0.05).is_ok());

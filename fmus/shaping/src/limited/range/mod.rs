@@ -30,12 +30,15 @@ pub(super) const FLOOR: f64 = 0.005;
 /// the same damping ratio, at or below `vibration_limit` times the bare ramp's, the shortest.
 ///
 /// Where the bare ramp itself leaves next to nothing, 0.5 % of what an ideal step leaves is added to that as a root of squares.
-/// The limit is kept, and no shorter command keeps it, to 1e-9. As v_f → 0 it tends to SI. Allocates and takes
-/// milliseconds, for wide ranges up to a tenth of a second and with damping up to a second: not meant for the inside of a simulation step.
+/// The limit is kept, and no shorter command keeps it, to 1e-9 (1e-6 of the limit where a pulse is about to appear or two to merge).
+/// As v_f → 0 it tends to SI. Allocates and takes milliseconds, for wide ranges up to a tenth of a second and with damping up to a
+/// second: not meant for the inside of a simulation step.
 ///
 /// # Errors
 /// [`LimitedError`] for a range, damping ratio or limit that is none, for a bare ramp of more than three periods of the range's
-/// middle, for a command that would be too long or have too many pulses, and where damping makes waiting the best of commands.
+/// middle, for a limit below 0.001, for a command that would be too long or have too many pulses, where damping makes waiting the
+/// best of commands, and where the search takes too long or ends without a proof. It does for few: a limit of 0.005 where the bare
+/// ramp is as long as the middle's period.
 pub fn limited_insensitivity(
     range: Band,
     damping_ratio: f64,
@@ -63,7 +66,10 @@ pub fn limited_insensitivity(
     }
     let on_time = angle / response.duration_per_place();
     // next to where a pulse appears or two merge Newton's method finds no footing, but a little less vibration has a design
-    let stricter = [0.0, 1e-7, 1e-5].map(|less| vibration_limit * (1.0 - less));
+    let stricter = [0.0, 1e-6].map(|less| vibration_limit * (1.0 - less));
+    if vibration_limit < LEAST_LIMIT {
+        return Err(SpecifiedError::TooWide.into());
+    }
     let mut found = Err(SpecifiedError::NotFound);
     for limit in stricter {
         let problem = Problem::new(response, range.lower / middle, range.upper / middle, on_time, limit);
@@ -122,20 +128,23 @@ fn shortest(problem: Problem) -> Result<Command, SpecifiedError> {
                 holds = true;
             }
             Verdict::Open => {}
-            Verdict::Close => break,
+            Verdict::Close => return Err(SpecifiedError::NotFound),
         }
         if holds && long - short <= CLOSE * long {
-            break;
+            return Err(SpecifiedError::NotFound);
         }
     }
-    Err(SpecifiedError::NotFound)
+    Err(SpecifiedError::TooWide)
 }
 
-/// Enough for thirty bisections.
-const MAX_JUDGEMENTS: usize = 200;
+/// Bisections that end take half as many; where more are needed, rounds are slow, too.
+const MAX_JUDGEMENTS: usize = 60;
+
+/// Lower limits take seconds.
+const LEAST_LIMIT: f64 = 1e-3;
 
 /// Bisecting further helps no more.
-const CLOSE: f64 = 1e-10;
+const CLOSE: f64 = 1e-9;
 
 /// Longest command looked for, beyond the bare ramp, in periods of the middle frequency.
 const MAX_PERIODS: f64 = 12.0;
