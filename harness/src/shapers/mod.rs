@@ -97,15 +97,23 @@ impl Request {
     }
 }
 
+/// Ranges are not known more exactly than to one part in so many.
+const EXACTNESS: f64 = 1e12;
+
 impl UncertainMode {
     /// The mode with the frequency in the middle of the range.
     fn middle(&self) -> Mode {
         let middle = 0.5 * (self.range.start() + self.range.end());
-        Mode::new(middle, self.mode.damping_ratio()).unwrap_or(self.mode)
+        // What is in the middle but for a rounding stays what it was given as.
+        match (middle - self.mode.frequency()).abs() * EXACTNESS <= middle {
+            true => self.mode,
+            false => Mode::new(middle, self.mode.damping_ratio()).unwrap_or(self.mode),
+        }
     }
 
     /// The full width of the range over its middle.
     fn insensitivity(&self) -> f64 {
-        (self.range.end() - self.range.start()) / self.middle().frequency()
+        let width = (self.range.end() - self.range.start()) / self.middle().frequency();
+        (width * EXACTNESS).round() / EXACTNESS
     }
 }
