@@ -41,7 +41,10 @@ impl Stepped {
             .iter()
             .filter(|v| v.causality == Causality::Input && v.data_type == DataType::Float64 && v.dimensions.is_empty())
             // Lengths are no commands: a hoist of 0 m is nothing to measure.
-            .filter(|v| v.name.ends_with("command") || v.name.ends_with("rate"))
+            // In FMI 2.0 the elements of an array stand for themselves.
+            .filter(|v| {
+                v.name.split('[').next().is_some_and(|name| name.ends_with("command") || name.ends_with("rate"))
+            })
             .map(|v| v.value_reference)
             .collect();
         let values = vec![0.0; inputs.len()];
