@@ -42,6 +42,7 @@ mod insensitivity;
 mod limited;
 mod minimum_impulse;
 mod mode;
+mod order;
 mod pendulum;
 mod prediction;
 mod shaper;

@@ -13,6 +13,7 @@ pub use error::MinimumImpulseError;
 
 use std::f64::consts::TAU;
 
+use crate::order::order_by;
 use crate::{Impulse, Mode, Shaper};
 use comb::Comb;
 
@@ -112,7 +113,7 @@ pub fn minimum_impulse_solution(modes: [Mode; 2], index: usize) -> Result<Shaper
 
 /// The shortest solutions up to that number, or all if there are fewer or none is asked for, and maybe longer ones.
 fn solve(mut modes: [Mode; 2], wanted: usize) -> Result<MinimumImpulse, MinimumImpulseError> {
-    modes.sort_by(|a, b| a.frequency().total_cmp(&b.frequency()));
+    order_by(&mut modes, |mode| mode.frequency());
     let frequencies = modes.map(Mode::frequency);
     let ratio = frequencies[1] / frequencies[0];
     if ratio > FARTHEST {

@@ -9,6 +9,7 @@
 //! and so on (the double-oracle method; for the cuts alone it is Remez' exchange). In every round the other side's mix
 //! bounds the value of the whole game from either side: `min over τ of p(τ) ≤ v ≤ max over ω of |f(ω)|`, whatever the points.
 
+use crate::order::order_by;
 use nalgebra::{Complex, DMatrix};
 
 use super::SpecifiedError;
@@ -48,7 +49,7 @@ impl Mix {
     /// The train with its places in order, each once.
     pub fn ordered_train(&self) -> Vec<(f64, f64)> {
         let mut train = self.train.clone();
-        train.sort_by(|a, b| a.0.total_cmp(&b.0));
+        order_by(&mut train, |(place, _)| *place);
         train.dedup_by(|later, earlier| {
             let same = later.0 == earlier.0;
             earlier.1 += if same { later.1 } else { 0.0 };

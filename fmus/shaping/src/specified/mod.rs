@@ -21,6 +21,7 @@ pub(crate) use extrema::{Jet, minima};
 pub(crate) use game::solve;
 pub(crate) use response::Response;
 
+use crate::order::order_by;
 use std::f64::consts::TAU;
 
 use crate::{Band, Impulse, MAX_IMPULSES, Mode, Shaper};
@@ -99,7 +100,7 @@ pub fn specified_insensitivity_of(ranges: &[(Band, f64)], vibration_limit: f64) 
 /// The ranges in order, those that overlap and have the same damping ratio as one.
 fn united(ranges: &[(Band, f64)]) -> Vec<(Band, f64)> {
     let mut ordered = ranges.to_vec();
-    ordered.sort_by(|(a, _), (b, _)| a.lower.total_cmp(&b.lower));
+    order_by(&mut ordered, |(band, _)| band.lower);
     let mut united: Vec<(Band, f64)> = Vec::new();
     for (band, damping_ratio) in ordered {
         let same = |(other, ratio): &&mut (Band, f64)| *ratio == damping_ratio && band.lower <= other.upper;

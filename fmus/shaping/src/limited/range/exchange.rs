@@ -8,6 +8,7 @@ use nalgebra::{Complex, DMatrix};
 
 use super::problem::{Command, Problem};
 use super::reply::reply;
+use crate::order::order_by;
 use crate::specified::{Jet, minima, samples, solve};
 
 /// A tangent to the cone |F(ω)| ≤ v·level: Re(e^{−jφ}F(ω)) ≤ v·level.
@@ -32,7 +33,7 @@ impl Mix {
     pub fn rounded(&self) -> Command {
         let mut places: Vec<f64> =
             self.commands.iter().flat_map(|(command, _)| command.iter().flatten().copied()).collect();
-        places.sort_by(f64::total_cmp);
+        order_by(&mut places, |place| *place);
         places.dedup();
         let mut rounded: Command = Vec::new();
         for stretch in places.windows(2) {

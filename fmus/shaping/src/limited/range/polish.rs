@@ -13,6 +13,7 @@ use nalgebra::{Complex, DMatrix, DVector};
 
 use super::exchange::{Cut, Mix, humps, price};
 use super::problem::{Command, Problem};
+use crate::order::order_by;
 use crate::specified::{minima, samples};
 
 /// A frequency in use.
@@ -84,7 +85,7 @@ fn without_slivers(command: &Command, on_time: f64) -> Command {
 /// Cuts of the same hump together, the ends of the range by themselves.
 fn gather(problem: &Problem, mix: &Mix) -> Vec<Wave> {
     let mut cuts: Vec<&(Cut, f64)> = mix.weights.iter().filter(|(_, weight)| *weight > LEAST_WEIGHT).collect();
-    cuts.sort_by(|a, b| a.0.omega.total_cmp(&b.0.omega));
+    order_by(&mut cuts, |(cut, _)| cut.omega);
     let mut waves: Vec<Wave> = Vec::new();
     // the two ends of a range may be next to each other
     let same = |free| if free { SAME } else { 0.5 * (problem.high - problem.low) };

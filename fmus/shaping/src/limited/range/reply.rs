@@ -1,6 +1,7 @@
 //! The best command for given prices: on where they are lowest, for as long as it takes.
 
 use super::problem::Command;
+use crate::order::order_by;
 use crate::specified::{Jet, minima, samples};
 
 /// The command that is on where the price is below a threshold, which is chosen for the given on-time.
@@ -78,7 +79,7 @@ fn monotone(price: &impl Fn(f64) -> Jet, longest: f64, highest: f64) -> Vec<Slop
     let mut places = vec![0.0, longest];
     places.extend(minima(0.0..=longest, points, price).iter().map(|(place, _)| *place));
     places.extend(minima(0.0..=longest, points, |tau| price(tau).map(|part| -part)).iter().map(|(place, _)| *place));
-    places.sort_by(f64::total_cmp);
+    order_by(&mut places, |place| *place);
     places.dedup();
     let prices: Vec<f64> = places.iter().map(|place| price(*place)[0]).collect();
     let pairs = places.windows(2).zip(prices.windows(2));
