@@ -78,3 +78,33 @@ fn changing(bencher: Bencher, built: &Built) {
     let stepped = RefCell::new(Stepped::new(built));
     bencher.bench_local(|| stepped.borrow_mut().step_with_changes());
 }
+
+/// A step of InputShaper, of a ramp whose every step is a change with a train of ZV: so many impulses are on their way, and one
+/// falls due in each step; with none the command is held.
+#[divan::bench(args = [0, 10, 100, 1000])]
+fn shaping(bencher: Bencher, live: u32) {
+    let built = built().into_iter().find(|built| built.to_string() == "fmi3/InputShaper").expect("it is built");
+    let fmu = Fmu::open(&built.0).expect("an FMU of ours opens");
+    let reference = |name: &str| {
+        let variable = fmu.description().variables.iter().find(|v| v.name == name).expect("a variable");
+        variable.value_reference
+    };
+    let mut slave = fmu.instantiate("bench", false).expect("an FMU of ours has an instance");
+    // Half a period of ZV is as long as the steps whose second impulses are on their way.
+    let frequency = std::f64::consts::PI / (STEP_SIZE * (f64::from(live) + 0.5));
+    slave.set_float(DataType::Float64, &[reference("mode.frequency")], &[frequency, 0.0]).expect("a frequency");
+    let experiment = Experiment { start_time: 0.0, stop_time: 1e9, tolerance: None };
+    slave.enter_initialization_mode(&experiment).expect("initialization begins");
+    slave.exit_initialization_mode().expect("initialization ends");
+    let command = reference("command");
+    let mut step = 0;
+    let mut next = move || {
+        if live > 0 {
+            slave.set_float(DataType::Float64, &[command], &[1e-3 * f64::from(step)]).expect("a command");
+        }
+        slave.do_step(f64::from(step) * STEP_SIZE, STEP_SIZE).expect("a step succeeds");
+        step += 1;
+    };
+    (0..2 * live).for_each(|_| next());
+    bencher.bench_local(next);
+}

@@ -40,7 +40,7 @@ def pytest_generate_tests(metafunc):
     if "both" in metafunc.fixturenames:
         # An FMU with clocks has no archive for FMI 2.0.
         names = sorted(name for version, name in FMUS if version == "fmi2")
-        cases = [(name, variant) for name in names for variant in FMUS["fmi2", name].variants()]
+        cases = [(name, variant) for name in names for variant in FMUS["fmi3", name].variants()]
         pairs = [(FMUS["fmi2", name], FMUS["fmi3", name], variant) for name, variant in cases]
         metafunc.parametrize("both", pairs, ids=[f"{name}-{label(variant)}" for name, variant in cases])
 

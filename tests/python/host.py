@@ -67,7 +67,8 @@ class Fmu:
             if v.causality != "parameter":
                 continue
             if v.declaredType is not None and getattr(v.declaredType, "items", None):
-                yield from ({v.name: int(item.value)} for item in v.declaredType.items if item.value != v.start)
+                of = (lambda value: [value] * math.prod(v.shape)) if v.shape else lambda value: value
+                yield from ({v.name: of(int(item.value))} for item in v.declaredType.items if item.value != v.start)
             elif v.type == "Boolean":
                 yield {v.name: v.start != "true"}
 
@@ -122,9 +123,12 @@ class Instance:
         self.api.exitInitializationMode()
 
     def set(self, values):
-        """Sets variables by name; arrays of FMI 3.0 take all their elements."""
+        """Sets variables by name; arrays take all their elements, which in FMI 2.0 are variables."""
         for name, value in values.items():
-            variable = self.fmu.variables[name]
+            variable = self.fmu.variables.get(name) or self.fmu.variables[f"{name}[1]"]
+            if variable.name != name:
+                self.set({f"{name}[{i}]": element for i, element in enumerate(value, 1)})
+                continue
             values = list(value) if isinstance(value, (list, tuple)) else [value]
             getattr(self.api, "set" + self._type(variable))([variable.valueReference], values)
 

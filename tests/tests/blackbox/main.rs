@@ -14,6 +14,7 @@ mod example_luffing;
 mod examples;
 mod flexible_modes;
 mod fuzz;
+mod input_shaper;
 mod instance;
 mod libraries;
 mod linearised;
@@ -22,6 +23,7 @@ mod luff_rigging;
 mod mistakes;
 mod mobile_base;
 mod packaged;
+mod pendulum;
 mod platforms;
 #[cfg(target_os = "linux")]
 mod portable;

@@ -37,6 +37,28 @@ fn limited_shapers_are_designed_for_a_step() {
     }
 }
 
+/// What every change relies on: all of it is passed on. And only trains made for a drive may not overlap.
+#[test]
+fn trains_of_every_kind_pass_all_on() {
+    for kind in Kind::ALL {
+        let second =
+            matches!(kind, Kind::Convolved | Kind::MinimumImpulse | Kind::MultiModeSI).then(|| mode(3.1, 0.02));
+        let wanted = Specification {
+            modes: [Some(mode(1.3, 0.01)), second],
+            acceleration_limit: 0.5,
+            acceleration_time_constant: 0.2,
+            braking_time_constant: 0.1,
+            ..Specification::new(kind, mode(1.3, 0.01))
+        };
+        let design = wanted.design().unwrap();
+        for train in [Some(design.shaper()), design.braking()].into_iter().flatten() {
+            assert!((train.sum() - 1.0).abs() < 1e-13, "{kind}: {:e}", train.sum() - 1.0);
+        }
+        assert_eq!(design.braking().is_some(), kind == Kind::UMZVc);
+        assert_eq!(design.adds_up(), !kind.name().starts_with("AL") && kind != Kind::UMZVc, "{kind}");
+    }
+}
+
 #[test]
 fn alsi_is_designed_around_the_mode_for_a_step() {
     let wanted = Specification {

@@ -80,6 +80,20 @@ proptest! {
     }
 
     #[test]
+    fn trains_for_braking_and_accelerating_end_at_the_command_to_the_bit(changes in changes()) {
+        let mut trains = Trains::new(0.0, 8);
+        for (n, pair) in changes.windows(2).enumerate() {
+            let [one, other] = [&pair[0].shaper, &pair[1].shaper].map(Clone::clone);
+            let design = if n % 3 == 0 { Design::alone(one) } else { Design::of_both(one, other) };
+            trains.set_command(pair[0].time, pair[0].command, &design);
+            prop_assert!(trains.pending().map(|pending| pending.time).is_sorted());
+        }
+        let end = trains.command();
+        prop_assert_eq!(trains.advance(1000.0).to_bits(), end.to_bits());
+        prop_assert!(!trains.interfere(1000.0));
+    }
+
+    #[test]
     fn step_size_does_not_matter(changes in changes(), step in 0.003..0.5_f64) {
         let fine = sample(step, 200);
         let coarse: Vec<_> = fine.iter().copied().step_by(7).collect();
