@@ -28,6 +28,15 @@ fn swing(u: &Inputs<f64>) -> Option<[f64; 2]> {
     u.valid.then_some([cos * radial - sin * tangential, sin * radial + cos * tangential])
 }
 
+/// A velocity in one direction of the world.
+const fn along(
+    name: &'static str,
+    description: &'static str,
+    member: &'static [(&'static str, &'static str)],
+) -> Terminal {
+    Terminal { name, description, kind: "command", members: member }
+}
+
 /// What is connected together.
 const TERMINALS: &[Terminal] = &[
     Terminal {
@@ -48,6 +57,10 @@ const TERMINALS: &[Terminal] = &[
         kind: "base",
         members: &[("base.yaw", "yaw")],
     },
+    along("command_x", "Commanded velocity in world x", &[("command.x", "command")]),
+    along("command_y", "Commanded velocity in world y", &[("command.y", "command")]),
+    along("velocity_x", "Velocity in world x that damps the swing", &[("velocity.x", "command")]),
+    along("velocity_y", "Velocity in world y that damps the swing", &[("velocity.y", "command")]),
 ];
 
 impl Model for SwayDamper {
