@@ -15,10 +15,12 @@ fn lasts(record: &Record, flag: &str) -> f64 {
     record[flag].iter().sum::<f64>() * (record["time"][1] - record["time"][0])
 }
 
-/// Runs an example with other start values.
-fn run_with(example: &str, step_size: &str, values: &[&str]) -> Record {
-    let more: Vec<&str> = values.iter().flat_map(|value| ["--start-value", value]).collect();
-    run(example, step_size, &more)
+/// Runs an example until a time (s) with other start values, and looks at it ten times a second.
+fn run_until(example: &str, step_size: &str, stop_time: f64, values: &[&str]) -> Record {
+    let stop_time = stop_time.to_string();
+    let how = ["--output-interval", "0.1", "--stop-time", &stop_time];
+    let values = values.iter().flat_map(|value| ["--start-value", value]);
+    run(example, step_size, &how.into_iter().chain(values).collect::<Vec<_>>())
 }
 
 /// The height of the load where it hangs at rest.
@@ -31,7 +33,7 @@ const LEVEL: f64 = 49.0;
 /// law leaves out, cost more.
 #[test]
 fn the_boom_cranes_load_keeps_its_height_through_saturation() {
-    let record = run("cartesian-boom-crane", "0.01", &[]);
+    let record = run_until("cartesian-boom-crane", "0.01", LEVEL, &[]);
     let (height, saturated) = (strays(&record, &HEIGHT, LEVEL), lasts(&record, "controller.saturated"));
     let line = strays(&record, &[("crane.tip.y", 1.0)], 28.0);
     println!(
@@ -43,12 +45,13 @@ fn the_boom_cranes_load_keeps_its_height_through_saturation() {
     assert!(record["controller.speed_fraction"].iter().any(|share| *share < 0.81));
     assert!(record["crane.at_limit"].iter().all(|flag| *flag == 0.0));
 
-    let thesis = strays(&run_with("cartesian-boom-crane", "0.01", &["controller.scaling=Thesis"]), &HEIGHT, LEVEL);
-    let unknown = run_with("cartesian-boom-crane", "0.01", &["controller.drive.natural_frequency=0"]);
+    let thesis =
+        strays(&run_until("cartesian-boom-crane", "0.01", LEVEL, &["controller.scaling=Thesis"]), &HEIGHT, LEVEL);
+    let unknown = run_until("cartesian-boom-crane", "0.01", LEVEL, &["controller.drive.natural_frequency=0"]);
     let unknown = strays(&unknown, &HEIGHT, LEVEL);
     let axes = ["slew", "luff", "hoist"].map(|axis| format!("controller.{axis}.acceleration_limit=1e6"));
     let sudden =
-        strays(&run_with("cartesian-boom-crane", "0.01", &axes.each_ref().map(String::as_str)), &HEIGHT, LEVEL);
+        strays(&run_until("cartesian-boom-crane", "0.01", LEVEL, &axes.each_ref().map(String::as_str)), &HEIGHT, LEVEL);
     println!(
         "the thesis's law: {thesis:.3} m; lag not known: {unknown:.3} m; acceleration limits not known: {sudden:.3} m"
     );
@@ -61,7 +64,7 @@ fn shapers_still_what_moves_along_lines() {
     let off = ["x_shaper.kind=None", "y_shaper.kind=None"];
     for (example, least) in [("cartesian-boom-crane", 0.1), ("cartesian-tower-crane", 0.2)] {
         let [shaped, unshaped] =
-            [&[][..], &off].map(|values| last(&run_with(example, "0.02", values), "crane.swing.amplitude"));
+            [&[][..], &off].map(|values| last(&run_until(example, "0.02", 120.0, values), "crane.swing.amplitude"));
         println!("{example}: residual swing {shaped:.4} rad shaped, {unshaped:.4} rad unshaped");
         assert!(shaped < least * unshaped, "{example}: {shaped} rad shaped, {unshaped} rad unshaped");
     }
@@ -69,7 +72,7 @@ fn shapers_still_what_moves_along_lines() {
 
 #[test]
 fn the_tower_cranes_trolley_moves_along_a_line() {
-    let record = run("cartesian-tower-crane", "0.01", &[]);
+    let record = run_until("cartesian-tower-crane", "0.01", 44.0, &[]);
     let (line, saturated) =
         (strays(&record, &[("crane.trolley.y", 1.0)], 44.0), lasts(&record, "controller.saturated"));
     println!("{:.2} mm off a line over {saturated:.1} s of saturation", 1e3 * line);
@@ -84,9 +87,13 @@ fn a_load_stays_where_it_is_while_the_base_drives_on() {
     let place = ["crane.payload.x", "crane.payload.y", "crane.payload.z"];
     let off = |record: &Record| place.map(|name| strays(record, &[(name, 1.0)], 60.0)).into_iter().fold(0.0, f64::max);
     let swing = |record: &Record| record["crane.swing.amplitude"].iter().copied().fold(0.0, f64::max);
-    let record = run("mobile-base-cancelled", "0.01", &[]);
-    let carried =
-        run_with("mobile-base-cancelled", "0.01", &["controller.slew.rate_limit=0", "controller.luff.rate_limit=0"]);
+    let record = run_until("mobile-base-cancelled", "0.01", 60.0, &[]);
+    let carried = run_until(
+        "mobile-base-cancelled",
+        "0.01",
+        60.0,
+        &["controller.slew.rate_limit=0", "controller.luff.rate_limit=0"],
+    );
     let [still, moved] = [&record, &carried].map(off);
     let [swings, swung] = [&record, &carried].map(swing);
     println!(
