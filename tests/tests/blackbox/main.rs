@@ -34,6 +34,7 @@ mod record;
 mod reference;
 mod repository;
 mod reproducible;
+mod shaper_command;
 mod sway_damper;
 mod thesis_figures;
 mod tower_crane;
