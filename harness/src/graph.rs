@@ -4,7 +4,7 @@
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap, VecDeque};
 
-use swayless_modeldesc::types::{Causality, Initial, ModelDescription, Unknown};
+use swayless_modeldesc::types::{Causality, Initial, ModelDescription, Unknown, Variability};
 
 use crate::error::{Error, Result};
 use crate::system::{Link, Names, Port};
@@ -124,13 +124,18 @@ fn dependencies(description: &ModelDescription, output: usize, phase: Phase) -> 
 }
 
 /// The order in which Gauss–Seidel steps the instances: each after those that feed it. In a circle of instances an input
-/// that feeds through to no output may get its value late, for it takes effect only through the state.
+/// that feeds through to no continuous output may get its value late: it takes effect only through the state, or when the
+/// instance samples it, which it may do at the beginning of a step as well as at its end.
 fn order_instances(names: &Names, links: &[Link], variables: &Variables, stepping: &Graph) -> Vec<usize> {
     let count = names.count();
     let (mut all, mut direct) = (Graph::new(count), Graph::new(count));
+    let is_continuous = |&node: &usize| {
+        let port = variables.ports[node];
+        names.description(port.instance).variables[port.variable].variability == Variability::Continuous
+    };
     for link in links.iter().filter(|link| link.from.instance != link.to.instance) {
         all.connect(link.from.instance, link.to.instance);
-        if !stepping.next[variables.node(link.to)].is_empty() {
+        if stepping.next[variables.node(link.to)].iter().any(is_continuous) {
             direct.connect(link.from.instance, link.to.instance);
         }
     }
