@@ -12,6 +12,14 @@ use crate::variables::{Value, Variables, lift};
 /// The numbers of what a scalar depends on, and how.
 pub type Set = BTreeMap<usize, How>;
 
+/// A set of numbers on which something depends in the same way.
+pub fn set_of(numbers: impl IntoIterator<Item = usize>, how: How) -> Set {
+    // One after the other: collecting would sort them first, with 5 kB of code for it.
+    let mut set = Set::new();
+    set.extend(numbers.into_iter().map(|number| (number, how)));
+    set
+}
+
 /// The dependencies of a model.
 pub struct Structure {
     /// Of ẋ, y and d on t, u and x, while the simulation runs.
@@ -86,8 +94,7 @@ fn discrete_dependencies<M: Model>() -> Vec<Set> {
                 names.iter().filter_map(named).flat_map(|(_, numbers)| numbers.clone()).collect()
             }
         };
-        let set: Set = numbers.into_iter().map(|number| (number, How::Dependent)).collect();
-        sets.extend(std::iter::repeat_n(set, declaration.count()));
+        sets.extend(std::iter::repeat_n(set_of(numbers, How::Dependent), declaration.count()));
     }
     sets
 }

@@ -8,7 +8,7 @@ use swayless_scalar::How;
 use super::variables::Entry;
 use crate::layout::Block;
 use crate::model::Model;
-use crate::structure::{Set, Structure};
+use crate::structure::{Set, Structure, set_of};
 
 /// The structure over variables, which are arrays or their elements.
 pub fn of<M: Model>(entries: &[Entry]) -> ModelStructure {
@@ -16,10 +16,10 @@ pub fn of<M: Model>(entries: &[Entry]) -> ModelStructure {
     // The positions of variables by the numbers of their scalars.
     let position =
         |number: usize| entries.iter().position(|entry| (entry.first..entry.first + entry.count).contains(&number));
-    let unknown = |place: usize, dependencies: Option<BTreeMap<usize, DependencyKind>>| Unknown {
+    let unknown = |place: usize, dependencies: Option<Vec<(usize, DependencyKind)>>| Unknown {
         variable: place,
-        dependencies_kind: dependencies.as_ref().map(|found| found.values().copied().collect()),
-        dependencies: dependencies.map(|found| found.into_keys().collect()),
+        dependencies_kind: dependencies.as_ref().map(|found| found.iter().map(|(_, kind)| *kind).collect()),
+        dependencies: dependencies.map(|found| found.into_iter().map(|(place, _)| place).collect()),
         ..Unknown::default()
     };
     // Of the elements of an array the most intricate dependence counts.
@@ -30,7 +30,7 @@ pub fn of<M: Model>(entries: &[Entry]) -> ModelStructure {
                 found.entry(place).and_modify(|known| *known = (*known).max(*how)).or_insert(*how);
             }
         }
-        found.into_iter().map(|(place, how)| (place, kind(how))).collect::<BTreeMap<_, _>>()
+        found.into_iter().map(|(place, how)| (place, kind(how))).collect::<Vec<_>>()
     };
     let running = |place: usize, entry: &Entry| {
         let numbers = entry.first..entry.first + entry.count;
@@ -39,7 +39,7 @@ pub fn of<M: Model>(entries: &[Entry]) -> ModelStructure {
         }
         if entry.block == Block::States {
             // A state is itself.
-            let itself: Set = numbers.map(|number| (number, How::Constant)).collect();
+            let itself = set_of(numbers, How::Constant);
             return unknown(place, Some(gather(vec![&itself], kind)));
         }
         unknown(place, Some(gather(numbers.map(|number| traced.running(number)).collect(), kind)))
@@ -49,7 +49,7 @@ pub fn of<M: Model>(entries: &[Entry]) -> ModelStructure {
         let found = sets.collect::<Option<Vec<_>>>().map(|sets| {
             let mut found = gather(sets, initial_kind);
             // A calculated state is an unknown itself, not something to depend on.
-            found.retain(|place, _| entries[*place].variable.initial != Some(Initial::Calculated));
+            found.retain(|(place, _)| entries[*place].variable.initial != Some(Initial::Calculated));
             found
         });
         unknown(place, found)
