@@ -65,14 +65,14 @@ impl Model for InputShaper {
         let (p, u, d, memory) = (at.p, at.u, &mut *at.d, &mut *at.memory);
         if at.initial {
             memory.begin = at.t;
+            show(&memory.design, d);
         }
         let sample = memory.begin + memory.samples * p.sample_time;
         let looking = p.sample_time == 0.0 || sample <= at.t;
         d.shaped = memory.trains.advance(at.t);
         let command = cut(u.command);
         if looking && (at.initial || command != memory.trains.command()) {
-            (d.shaped, d.valid) = memory.set_command(at.t, command, p, u.hoist.length);
-            show(&memory.design, d);
+            (d.shaped, d.valid) = memory.set_command((at.t, command), p, u.hoist.length, |design| show(design, d));
         }
         d.interference = memory.trains.interfere(at.t);
         if p.sample_time == 0.0 {

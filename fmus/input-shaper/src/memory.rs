@@ -97,11 +97,17 @@ impl Memory {
         Self { trains: Trains::new(cut(p.command_start), PENDING), ..Self::default() }
     }
 
-    /// Shapes a new command, with the modes as they are at a suspension length. Returns the shaped command, and whether there was
-    /// a design; without one the last is used.
-    pub fn set_command(&mut self, time: f64, command: f64, p: &Parameters<f64>, length: f64) -> (f64, bool) {
+    /// Shapes a new command, with the modes as they are at a suspension length. Tells each new design. Returns the shaped command,
+    /// and whether there was a design; without one the last is used.
+    pub fn set_command(
+        &mut self,
+        (time, command): (f64, f64),
+        p: &Parameters<f64>,
+        length: f64,
+        tell: impl FnMut(&Design),
+    ) -> (f64, bool) {
         let wanted = wanted(p, length).ok();
-        let found = wanted.is_some_and(|wanted| self.renew(wanted));
+        let found = wanted.is_some_and(|wanted| self.renew(wanted, tell));
         let change = command - self.trains.command();
         let own = wanted.filter(|_| found && p.enabled).and_then(|wanted| wanted_for(p, &wanted, change));
         let own = own.map(|own| self.changes.design(&own));
@@ -115,7 +121,7 @@ impl Memory {
     }
 
     /// Designs, unless the last design was for the same; whether there is a design. Without one the last stays.
-    fn renew(&mut self, wanted: Specification) -> bool {
+    fn renew(&mut self, wanted: Specification, mut tell: impl FnMut(&Design)) -> bool {
         match self.last {
             Some((last, found)) if last == wanted => found,
             _ => {
@@ -123,6 +129,7 @@ impl Memory {
                 let found = design.is_ok();
                 self.last = Some((wanted, found));
                 if let Ok(design) = design {
+                    tell(&design);
                     self.design = design;
                 }
                 found

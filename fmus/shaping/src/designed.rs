@@ -8,12 +8,24 @@ use crate::{Shaper, Specification, SpecificationError};
 ///
 /// Most designs have one train for all changes, and as their trains add up linearly, they may overlap. Those made for what a
 /// certain drive makes of a train are exact only while no other train is under way.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, PartialEq, Serialize, Deserialize)]
 pub struct Design {
     shaper: Shaper,
     braking: Option<Shaper>,
     /// Whether trains may overlap without harm.
     adds_up: bool,
+}
+
+impl Clone for Design {
+    fn clone(&self) -> Self {
+        Self { shaper: self.shaper.clone(), braking: self.braking.clone(), adds_up: self.adds_up }
+    }
+
+    fn clone_from(&mut self, source: &Self) {
+        self.shaper.clone_from(&source.shaper);
+        self.braking.clone_from(&source.braking);
+        self.adds_up = source.adds_up;
+    }
 }
 
 impl From<Shaper> for Design {
@@ -76,9 +88,19 @@ impl Design {
 
 /// Designs, and remembers the last design, so that the same again costs next to nothing; of one that is dear, also the same at
 /// another frequency. What it gives does not depend on what it remembers.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub struct Designer {
     last: Option<(Specification, Result<Design, SpecificationError>)>,
+}
+
+/// What is remembered is not copied, for nothing depends on it: a clone remembers nothing, and what is cloned into goes on
+/// remembering its own.
+impl Clone for Designer {
+    fn clone(&self) -> Self {
+        Self::default()
+    }
+
+    fn clone_from(&mut self, _: &Self) {}
 }
 
 impl Designer {

@@ -19,11 +19,24 @@ pub struct Impulse {
 }
 
 /// An input shaper: impulses in strictly ascending order of time. It lives on the stack.
-#[derive(Clone, Serialize, Deserialize)]
+#[derive(Serialize, Deserialize)]
 #[serde(try_from = "Vec<Impulse>", into = "Vec<Impulse>")]
 pub struct Shaper {
     count: usize,
+    /// Those beyond the count are never looked at.
     impulses: [Impulse; MAX_IMPULSES],
+}
+
+/// Copying into a shaper copies what there is, not what there is room for: it happens in every step that has an event.
+impl Clone for Shaper {
+    fn clone(&self) -> Self {
+        Self::ordered(self.impulses())
+    }
+
+    fn clone_from(&mut self, source: &Self) {
+        self.count = source.count;
+        self.impulses[..source.count].copy_from_slice(source.impulses());
+    }
 }
 
 impl Shaper {
