@@ -93,6 +93,22 @@ fn the_bare_ramp_may_do() {
 }
 
 #[test]
+fn bare_ramps_that_leave_next_to_nothing() {
+    // the second is next to where a gap of the size of 1e-5 appears in the middle of the command
+    for (width, share, limit) in [
+        (0.0453863, 0.9192757, 0.1174157),
+        (0.2149269, 1.106273124912222, 0.18044940884250396),
+        (0.3081776, 0.8628013, 0.1481072),
+    ] {
+        let range = around(1.0, width);
+        let design = limited_insensitivity(range, 0.0, ramp(share), limit).unwrap();
+        assert!(highest(&design, range, 0.0, ramp(share), limit) <= 1.0 + 2e-9);
+        let wider = limited_insensitivity(around(1.0, 1.01 * width), 0.0, ramp(share), limit).unwrap();
+        assert!(wider.duration() > design.duration());
+    }
+}
+
+#[test]
 fn refusals() {
     let refused = |lower, upper, zeta, share, limit| {
         limited_insensitivity(Band { lower, upper }, zeta, ramp(share), limit).unwrap_err()

@@ -30,15 +30,15 @@ pub(super) const FLOOR: f64 = 0.005;
 /// the same damping ratio, at or below `vibration_limit` times the bare ramp's, the shortest.
 ///
 /// Where the bare ramp itself leaves next to nothing, 0.5 % of what an ideal step leaves is added to that as a root of squares.
-/// The limit is kept, and no shorter command keeps it, to 1e-9 (1e-6 of the limit where a pulse is about to appear or two to merge).
+/// The limit is kept, and no shorter command keeps it, to 1e-9 (1e-5 of the limit where a pulse is about to appear or two to merge).
 /// As v_f → 0 it tends to SI. Allocates and takes milliseconds, for wide ranges up to a tenth of a second and with damping up to a
 /// second: not meant for the inside of a simulation step.
 ///
 /// # Errors
 /// [`LimitedError`] for a range, damping ratio or limit that is none, for a bare ramp of more than three periods of the range's
 /// middle, for a limit below 0.001, for a command that would be too long or have too many pulses, where damping makes waiting the
-/// best of commands, and where the search takes too long or ends without a proof. It does for few: a limit of 0.005 where the bare
-/// ramp is as long as the middle's period.
+/// best of commands, and where the search takes too long or ends without a proof. It does for one in a thousand whose limit is
+/// about 0.005 and whose bare ramp is about as long as a period, and for one in a hundred thousand with limits of 0.02 or more.
 pub fn limited_insensitivity(
     range: Band,
     damping_ratio: f64,
@@ -66,7 +66,7 @@ pub fn limited_insensitivity(
     }
     let on_time = angle / response.duration_per_place();
     // next to where a pulse appears or two merge Newton's method finds no footing, but a little less vibration has a design
-    let stricter = [0.0, 1e-6].map(|less| vibration_limit * (1.0 - less));
+    let stricter = [0.0, 1e-6, 1e-5].map(|less| vibration_limit * (1.0 - less));
     if vibration_limit < LEAST_LIMIT {
         return Err(SpecifiedError::TooWide.into());
     }

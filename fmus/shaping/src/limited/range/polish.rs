@@ -258,7 +258,7 @@ fn checked(problem: &Problem, switches: &Switches, waves: &[Wave]) -> Option<Com
 }
 
 /// Pulses below this share of the on-time, and gaps below so much, are left-overs of the exchange.
-const SLIVER: f64 = 1e-4;
+const SLIVER: f64 = 1e-6;
 
 /// Weights below this are left-overs, too.
 const LEAST_WEIGHT: f64 = 1e-9;

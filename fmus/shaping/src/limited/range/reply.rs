@@ -14,6 +14,10 @@ pub(super) fn reply(price: &impl Fn(f64) -> Jet, longest: f64, highest: f64, on_
         on - on_time
     };
     let threshold = root(surplus, [lowest, -on_time], [top, longest - on_time]);
+    if surplus(threshold).abs() > 1e-9 * on_time {
+        // a price that is flat to rounding, as that of two cuts that cancel: one command is as good as another
+        return vec![[longest - on_time, longest]];
+    }
     let mut command: Command = Vec::new();
     for [from, to] in slopes.iter().map(|slope| slope.part_below(price, threshold)).filter(|[from, to]| from < to) {
         match command.last_mut() {
