@@ -36,18 +36,35 @@ impl Plant {
         [v, a, jerk, slope, w1, w2, alpha1, alpha2]
     }
 
+    /// How fast the rate limiter's reference moves in a time `h` (s) with this command (m/s).
+    fn slope(&self, command: f64, h: f64) -> f64 {
+        let limited = command.clamp(-FASTEST, FASTEST);
+        let [velocity, reference] = [self.state[1], self.state[3]];
+        let target = if limited * velocity >= 0.0 || velocity.abs() <= REVERSAL { limited } else { 0.0 };
+        ((target - reference) / h).clamp(-STEEPEST, STEEPEST)
+    }
+
     /// A time `h` (s) with this command (m/s), by Runge and Kutta.
     pub fn step(&mut self, command: f64, h: f64) {
-        let y = self.state;
-        let limited = command.clamp(-FASTEST, FASTEST);
-        let target = if limited * y[1] >= 0.0 || y[1].abs() <= REVERSAL { limited } else { 0.0 };
-        let slope = ((target - y[3]) / h).clamp(-STEEPEST, STEEPEST);
+        let (y, slope) = (self.state, self.slope(command, h));
         let along = |k: &[f64; 8], h: f64| std::array::from_fn(|i| y[i] + h * k[i]);
         let k1 = self.derivative(y, slope);
         let k2 = self.derivative(along(&k1, 0.5 * h), slope);
         let k3 = self.derivative(along(&k2, 0.5 * h), slope);
         let k4 = self.derivative(along(&k3, h), slope);
         self.state = std::array::from_fn(|i| y[i] + h / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]));
+    }
+
+    /// The same by the half-implicit Euler rule: a rate is taken after its own step.
+    pub fn step_by_euler(&mut self, command: f64, h: f64) {
+        self.state[3] += self.slope(command, h) * h;
+        let rates = self.derivative(self.state, 0.0);
+        for i in [2, 6, 7] {
+            self.state[i] += h * rates[i];
+        }
+        for (i, rate) in [(1, 2), (0, 1), (4, 6), (5, 7)] {
+            self.state[i] += h * self.state[rate];
+        }
     }
 
     /// Position of the trolley (m).
