@@ -92,6 +92,30 @@ fn the_bare_ramp_may_do() {
     }
 }
 
+/// Small changes of a command make short ramps, and a shaper that is designed for each change must have them all.
+#[test]
+fn short_ramps() {
+    for (zeta, limit, width, angle) in [
+        (0.0, 0.014925720313146706, 0.4526875803011269, 0.0013671302215375243),
+        (0.0, 0.013808480643449061, 0.2173304694475694, 0.003401297068175452),
+        (0.0, 0.011485035970803512, 0.12040656137603775, 0.002226566162060118),
+        (0.02680031382905203, 0.026998060817108663, 0.31156107991559834, 0.03326503791592327),
+        (0.09935289883992711, 0.021051265502873794, 0.5823465196083638, 0.0010317288419750634),
+        // next to impulses
+        (0.17782619361127777, 0.20292415123659144, 0.4286998223944084, 0.00042545605615217),
+        (0.12219544152092239, 0.011226179510254921, 0.6407959873268823, 0.00028031490522073),
+    ] {
+        let (range, ramp) = (around(1.0, width), Ramp::new(angle, 1.0).unwrap());
+        let design = limited_insensitivity(range, zeta, ramp, limit).unwrap();
+        assert!(highest(&design, range, zeta, ramp, limit) <= 1.0 + 2e-9);
+        assert!((design.shaper().sum() - 1.0).abs() < 1e-14);
+        // pulses are nearly impulses: an end of the ramp more or less, and some share of the limit
+        let impulses = specified_insensitivity(range, zeta, limit).unwrap();
+        let longer = design.duration() - impulses.duration();
+        assert!((0.0..angle).contains(&longer), "{longer}");
+    }
+}
+
 #[test]
 fn bare_ramps_that_leave_next_to_nothing() {
     // the second is next to where a gap of the size of 1e-5 appears in the middle of the command

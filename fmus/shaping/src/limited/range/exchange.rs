@@ -8,7 +8,6 @@ use nalgebra::{Complex, DMatrix};
 
 use super::problem::{Command, Problem};
 use super::reply::reply;
-use crate::order::order_by;
 use crate::specified::{Jet, minima, samples, solve};
 
 /// A tangent to the cone |F(ω)| ≤ v·level: Re(e^{−jφ}F(ω)) ≤ v·level.
@@ -23,49 +22,9 @@ pub(super) struct Cut {
 
 /// Both sides' mixes, and the best command for the cuts'.
 pub(super) struct Mix {
-    commands: Vec<(Command, f64)>,
+    pub commands: Vec<(Command, f64)>,
     pub weights: Vec<(Cut, f64)>,
     pub reply: Command,
-}
-
-impl Mix {
-    /// The mixed command with each passage from on to off, in which it is on in part, made one switch. The switch keeps the
-    /// on-time from the middle of the pulse to the middle of the gap, so that what the command leaves differs by the square of the
-    /// passage's length only: where the bare ramp leaves next to nothing, that is what counts.
-    pub fn rounded(&self) -> Command {
-        let mut places: Vec<f64> =
-            self.commands.iter().flat_map(|(command, _)| command.iter().flatten().copied()).collect();
-        order_by(&mut places, |place| *place);
-        places.dedup();
-        let mut runs: Vec<(bool, [f64; 2])> = Vec::new();
-        for stretch in places.windows(2) {
-            let [from, to] = [stretch[0], stretch[1]];
-            let on = self.on_time(from, to) > 0.5 * (to - from);
-            match runs.last_mut() {
-                Some((last, run)) if *last == on => run[1] = to,
-                _ => runs.push((on, [from, to])),
-            }
-        }
-        let middle = |[from, to]: [f64; 2]| 0.5 * (from + to);
-        let switches: Vec<f64> = runs
-            .windows(2)
-            .map(|pair| {
-                let (from, to) = (middle(pair[0].1), middle(pair[1].1));
-                if pair[0].0 { from + self.on_time(from, to) } else { to - self.on_time(from, to) }
-            })
-            .collect();
-        for (index, switch) in switches.into_iter().enumerate() {
-            runs[index].1[1] = switch;
-            runs[index + 1].1[0] = switch;
-        }
-        runs.into_iter().filter(|(on, _)| *on).map(|(_, run)| run).collect()
-    }
-
-    /// For how long the mixed command is on between two places.
-    fn on_time(&self, from: f64, to: f64) -> f64 {
-        let part = |[start, end]: &[f64; 2]| (end.min(to) - start.max(from)).max(0.0);
-        self.commands.iter().map(|(command, share)| share * command.iter().map(part).sum::<f64>()).sum()
-    }
 }
 
 #[derive(Clone, Copy)]

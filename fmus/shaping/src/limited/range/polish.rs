@@ -13,6 +13,7 @@ use nalgebra::{Complex, DMatrix, DVector};
 
 use super::exchange::{Cut, Mix, humps, price};
 use super::problem::{Command, Problem};
+use super::start::without_slivers;
 use crate::order::order_by;
 use crate::specified::{minima, samples};
 
@@ -50,7 +51,8 @@ impl Switches {
 
 /// The optimum near a mix. `None` if Newton's method does not lead to one that passes the check from both sides.
 pub(super) fn polish(problem: &Problem, mix: &Mix, longest: f64) -> Option<Command> {
-    [mix.rounded(), mix.reply.clone()].iter().find_map(|command| polish_from(problem, mix, command, longest))
+    let starts = [Some(mix.rounded()), Some(mix.reply.clone()), mix.gathered(problem, longest)];
+    starts.iter().flatten().find_map(|command| polish_from(problem, mix, command, longest))
 }
 
 fn polish_from(problem: &Problem, mix: &Mix, command: &Command, longest: f64) -> Option<Command> {
@@ -68,18 +70,6 @@ fn polish_from(problem: &Problem, mix: &Mix, command: &Command, longest: f64) ->
     threshold *= problem.limit / total;
     newton(problem, &mut switches, &mut waves, threshold)?;
     checked(problem, &switches, &waves)
-}
-
-/// Pulses and gaps that are next to nothing are left-overs of the exchange.
-fn without_slivers(command: &Command, on_time: f64) -> Command {
-    let mut kept: Command = Vec::new();
-    for [from, to] in command.iter().copied().filter(|[from, to]| to - from > SLIVER * on_time) {
-        match kept.last_mut() {
-            Some(last) if from - last[1] < SLIVER => last[1] = to,
-            _ => kept.push([if from < SLIVER * on_time { 0.0 } else { from }, to]),
-        }
-    }
-    kept
 }
 
 /// Cuts of the same hump together, the ends of the range by themselves.
@@ -106,9 +96,11 @@ fn gather(problem: &Problem, mix: &Mix) -> Vec<Wave> {
 fn newton(problem: &Problem, switches: &mut Switches, waves: &mut [Wave], threshold: f64) -> Option<()> {
     let (mut threshold, mut last) = (threshold, f64::INFINITY);
     for _ in 0..MAX_ITERATIONS {
-        let (residual, jacobian) = system(problem, switches, waves, threshold);
+        let (mut residual, mut jacobian) = system(problem, switches, waves, threshold);
+        divide(switches, &mut residual, &mut jacobian);
         let size = residual.amax();
-        if size <= TOLERANCE * problem.limit * problem.limit && size >= 0.5 * last {
+        let rounding = ROUNDING * switches.places.last()? / problem.on_time;
+        if size <= (TOLERANCE * problem.limit * problem.limit).max(rounding) && size >= 0.5 * last {
             return Some(()); // rounding is all that is left
         }
         last = size;
@@ -215,6 +207,22 @@ fn system(problem: &Problem, switches: &Switches, waves: &[Wave], threshold: f64
     (residual, jacobian)
 }
 
+/// Where two switches come close, their conditions all but say the same. So the later one's is made g[sₖ, sₖ₊₁] = 0, the divided
+/// difference of both, which stays regular and does not tie the next step to the pulse's or the gap's length.
+fn divide(switches: &Switches, residual: &mut DVector<f64>, jacobian: &mut DMatrix<f64>) {
+    let first = usize::from(switches.on_at_zero);
+    for earlier in (first..switches.places.len().saturating_sub(2)).step_by(2) {
+        let later = earlier + 1;
+        let length = switches.places[later] - switches.places[earlier];
+        residual[later] = (residual[later] - residual[earlier]) / length;
+        for column in 0..jacobian.ncols() {
+            jacobian[(later, column)] = (jacobian[(later, column)] - jacobian[(earlier, column)]) / length;
+        }
+        jacobian[(later, later)] -= residual[later] / length;
+        jacobian[(later, earlier)] += residual[later] / length;
+    }
+}
+
 /// The proof, whatever way the command was found: it keeps the limit everywhere in the range, and the weights' price is below
 /// the threshold exactly where it is on, its end included, so that no command of that length or shorter keeps less.
 fn checked(problem: &Problem, switches: &Switches, waves: &[Wave]) -> Option<Command> {
@@ -257,9 +265,6 @@ fn checked(problem: &Problem, switches: &Switches, waves: &[Wave]) -> Option<Com
     (proved && at(longest)[0] < threshold).then_some(command)
 }
 
-/// Pulses below this share of the on-time, and gaps below so much, are left-overs of the exchange.
-const SLIVER: f64 = 1e-6;
-
 /// Weights below this are left-overs, too.
 const LEAST_WEIGHT: f64 = 1e-9;
 
@@ -274,6 +279,9 @@ const MAX_ITERATIONS: usize = 40;
 
 /// Largest residual accepted, relative to V².
 const TOLERANCE: f64 = 1e-9;
+
+/// Roundings of the last place, relative, that the residual of the on-time may be.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// By how much, relative to the limit, rounding may keep the two sides apart.
 const MARGIN: f64 = 1e-9;

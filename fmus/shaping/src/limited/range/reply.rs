@@ -1,5 +1,7 @@
 //! The best command for given prices: on where they are lowest, for as long as it takes.
 
+use std::f64::consts::FRAC_PI_2;
+
 use super::problem::Command;
 use crate::order::order_by;
 use crate::specified::{Jet, minima, samples};
@@ -9,21 +11,33 @@ pub(super) fn reply(price: &impl Fn(f64) -> Jet, longest: f64, highest: f64, on_
     let slopes = monotone(price, longest, highest);
     let lowest = slopes.iter().map(|slope| slope.low()).fold(f64::INFINITY, f64::min);
     let top = slopes.iter().map(|slope| slope.high()).fold(f64::NEG_INFINITY, f64::max);
+    // next to a minimum of the price, and to its maximum, the on-time grows as a root: over the angle it is a straight line
+    let threshold_at = |angle: f64| lowest + (top - lowest) * angle.sin().powi(2);
     let surplus = |threshold: f64| {
         let on: f64 = slopes.iter().map(|slope| slope.part_below(price, threshold)).map(|[from, to]| to - from).sum();
         on - on_time
     };
-    let threshold = root(surplus, [lowest, -on_time], [top, longest - on_time]);
-    if surplus(threshold).abs() > 1e-9 * on_time {
-        // a price that is flat to rounding, as that of two cuts that cancel: one command is as good as another
-        return vec![[longest - on_time, longest]];
-    }
+    let angle = root(|angle| surplus(threshold_at(angle)), [0.0, -on_time], [FRAC_PI_2, longest - on_time]);
+    let threshold = threshold_at(angle);
     let mut command: Command = Vec::new();
     for [from, to] in slopes.iter().map(|slope| slope.part_below(price, threshold)).filter(|[from, to]| from < to) {
         match command.last_mut() {
             Some(last) if last[1] >= from => last[1] = to,
             _ => command.push([from, to]),
         }
+    }
+    // where the price is flat to rounding, as next to a minimum or that of two cuts that cancel, one part is as good as another
+    let on: f64 = command.iter().map(|[from, to]| to - from).sum();
+    let share = on_time / on;
+    for [from, to] in &mut command {
+        let kept = if *from == 0.0 {
+            0.0
+        } else if *to == longest {
+            longest
+        } else {
+            0.5 * (*from + *to)
+        };
+        (*from, *to) = (kept + (*from - kept) * share, kept + (*to - kept) * share);
     }
     command
 }
@@ -90,18 +104,21 @@ fn monotone(price: &impl Fn(f64) -> Jet, longest: f64, highest: f64) -> Vec<Slop
     pairs.map(|(place, price)| Slope { from: place[0], to: place[1], prices: [price[0], price[1]] }).collect()
 }
 
-/// A root between two points [x, f(x)] of a function that rises, by false position with Illinois' correction.
+/// A root between two points [x, f(x)] of a function that rises, by false position with Illinois' correction; where it jumps past
+/// zero, a place above.
 fn root(function: impl Fn(f64) -> f64, mut low: [f64; 2], mut high: [f64; 2]) -> f64 {
     let (scale, mut side) = (-low[1], 0);
-    let mut at = 0.5 * (low[0] + high[0]);
     for step in 0..100 {
-        at = if step % 4 == 3 || low[1] == high[1] {
+        let at = if step % 4 == 3 || low[1] == high[1] {
             0.5 * (low[0] + high[0])
         } else {
             (low[0] * high[1] - high[0] * low[1]) / (high[1] - low[1])
         };
         let value = function(at);
-        if value.abs() <= 1e-13 * scale || high[0] - low[0] <= 1e-16 * high[0].abs() {
+        if value.abs() <= 1e-13 * scale {
+            return at;
+        }
+        if high[0] - low[0] <= 1e-16 * high[0].abs() {
             break;
         }
         if value < 0.0 {
@@ -114,7 +131,7 @@ fn root(function: impl Fn(f64) -> f64, mut low: [f64; 2], mut high: [f64; 2]) ->
             side = 1;
         }
     }
-    at
+    high[0]
 }
 
 #[cfg(test)]
