@@ -132,6 +132,20 @@ fn bare_ramps_that_leave_next_to_nothing() {
     }
 }
 
+/// Low limits around a frequency of which the bare ramp leaves nothing: its two sides have humps of opposite sign next to each other.
+#[test]
+fn low_limits_for_ramps_of_about_a_period() {
+    for (zeta, limit, width, angle) in [
+        (0.0, 0.005964377216606548, 0.4173508786077789, 5.258745481547845),
+        (0.0, 0.01205988619105332, 0.7983605100164696, 7.18482708836134),
+        (0.0, 0.0069337242342259724, 0.12356429149317533, 6.289177691447302),
+    ] {
+        let (range, ramp) = (around(1.0, width), Ramp::new(angle, 1.0).unwrap());
+        let design = limited_insensitivity(range, zeta, ramp, limit).unwrap();
+        assert!(highest(&design, range, zeta, ramp, limit) <= 1.0 + 2e-9);
+    }
+}
+
 #[test]
 fn refusals() {
     let refused = |lower, upper, zeta, share, limit| {

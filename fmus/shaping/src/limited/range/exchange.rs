@@ -80,7 +80,7 @@ impl Exchange {
 
     fn play_rounds(&mut self, longest: f64) -> Option<(Verdict, Mix)> {
         let problem = self.problem;
-        self.commands.retain(|command| command.last().is_some_and(|[_, end]| *end <= longest));
+        self.commands = self.commands.drain(..).filter_map(|command| shortened(command, longest)).collect();
         self.commands.push(vec![[longest - problem.on_time, longest]]);
         for round in 0..MAX_ROUNDS {
             let mix = self.play(longest)?;
@@ -135,6 +135,16 @@ impl Exchange {
         let reply = reply(&prices, longest, self.problem.high, self.problem.on_time);
         Some(Mix { commands, reply, weights })
     }
+}
+
+/// A command with its last pulse moved so far that it ends in time; none if it would meet the one before.
+fn shortened(mut command: Command, longest: f64) -> Option<Command> {
+    let before = command.len().checked_sub(2).map_or(0.0, |index| command[index][1]);
+    let [from, to] = command.last_mut()?;
+    if *to > longest {
+        (*from, *to) = (longest - (*to - *from), longest);
+    }
+    (*from >= before).then_some(command)
 }
 
 /// Rounds of exchange before Newton's method has a try, and what is not in use is forgotten.

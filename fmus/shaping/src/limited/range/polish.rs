@@ -72,17 +72,20 @@ fn polish_from(problem: &Problem, mix: &Mix, command: &Command, longest: f64) ->
     checked(problem, &switches, &waves)
 }
 
-/// Cuts of the same hump together, the ends of the range by themselves.
+/// Cuts of the same hump together, the ends of the range by themselves. Humps of opposite sides are next to each other where the
+/// bare ramp leaves nothing.
 fn gather(problem: &Problem, mix: &Mix) -> Vec<Wave> {
     let mut cuts: Vec<&(Cut, f64)> = mix.weights.iter().filter(|(_, weight)| *weight > LEAST_WEIGHT).collect();
     order_by(&mut cuts, |(cut, _)| cut.omega);
     let mut waves: Vec<Wave> = Vec::new();
     // the two ends of a range may be next to each other
     let same = |free| if free { SAME } else { 0.5 * (problem.high - problem.low) };
-    for (Cut { omega, .. }, weight) in cuts.into_iter().copied() {
+    let mut last_direction = Complex::ONE;
+    for (Cut { omega, direction, .. }, weight) in cuts.into_iter().copied() {
         let free = problem.low < omega && omega < problem.high;
+        let agrees = (direction.conj() * std::mem::replace(&mut last_direction, direction)).re > 0.5;
         match waves.last_mut() {
-            Some(last) if last.free == free && omega - last.omega <= same(free) => {
+            Some(last) if last.free == free && agrees && omega - last.omega <= same(free) => {
                 let total = last.weight + weight;
                 last.omega = (last.omega * last.weight + omega * weight) / total;
                 last.weight = total;
