@@ -30,17 +30,17 @@ pub fn error(error: &dyn Error) {
         }
         cause = error.source();
     }
-    eprintln!("error: {message}");
+    note(format_args!("error: {message}"));
 }
 
-/// Prints a line of news.
+/// Prints a line of news, if anybody listens: `eprintln` panics when nobody does.
 pub fn note(text: impl Display) {
-    eprintln!("{text}");
+    let _ = writeln!(std::io::stderr().lock(), "{text}");
 }
 
 /// Prints a warning.
 pub fn warn(text: impl Display) {
-    eprintln!("warning: {text}");
+    note(format_args!("warning: {text}"));
 }
 
 /// Whether all that happened is that nobody reads stdout any more.

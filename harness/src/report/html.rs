@@ -38,7 +38,7 @@ const FONT: &str = "system-ui, \"Segoe UI\", \"Helvetica Neue\", Arial, sans-ser
 pub fn page(report: &Report) -> String {
     let mut body = format!("<h1>{}</h1>\n", escape(&report.title));
     for paragraph in &report.introduction {
-        let _ = writeln!(body, "<p>{}</p>", escape(paragraph));
+        let _ = writeln!(body, "<p>{}</p>", prose(paragraph));
     }
     report.tables.iter().for_each(|table| write_table(&mut body, table));
     for (index, figure) in report.figures.iter().enumerate() {
@@ -67,14 +67,17 @@ fn write_table(body: &mut String, table: &Table) {
         let cells: String = cells.iter().map(|c| format!("<{tag}>{}</{tag}>", escape(c))).collect();
         format!("<tr>{cells}</tr>\n")
     };
-    let _ = writeln!(body, "<section>\n<h2>{}</h2>\n<div class=\"wide\"><table>", escape(&table.title));
-    if !table.header.is_empty() {
-        let _ = writeln!(body, "<thead>{}</thead>", row(&table.header, "th"));
+    let _ = writeln!(body, "<section>\n<h2>{}</h2>", escape(&table.title));
+    if !table.rows.is_empty() {
+        body.push_str("<div class=\"wide\"><table>\n");
+        if !table.header.is_empty() {
+            let _ = writeln!(body, "<thead>{}</thead>", row(&table.header, "th"));
+        }
+        let rows: String = table.rows.iter().map(|r| row(r, "td")).collect();
+        let _ = writeln!(body, "<tbody>\n{rows}</tbody></table></div>");
     }
-    let rows: String = table.rows.iter().map(|r| row(r, "td")).collect();
-    let _ = writeln!(body, "<tbody>\n{rows}</tbody></table></div>");
     for note in &table.notes {
-        let _ = writeln!(body, "<p class=\"note\">{}</p>", escape(note));
+        let _ = writeln!(body, "<p class=\"note\">{}</p>", prose(note));
     }
     body.push_str("</section>\n");
 }
@@ -236,6 +239,14 @@ fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
+/// Words in which what stands between backticks is to be typed.
+fn prose(text: &str) -> String {
+    let parts = escape(text);
+    let each =
+        |(place, part): (usize, &str)| if place % 2 == 1 { format!("<code>{part}</code>") } else { part.to_owned() };
+    parts.split('`').enumerate().map(each).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::{Curve, Style};
@@ -269,6 +280,14 @@ mod tests {
         let page = page(&report()).replace(&script(), "");
         assert!(page.contains("A &amp; B"));
         assert_eq!(page.matches("</script>").count(), 1);
+    }
+
+    #[test]
+    fn what_is_to_be_typed_stands_out() {
+        assert_eq!(prose("give `--a <B>` & `c`"), "give <code>--a &lt;B&gt;</code> &amp; <code>c</code>");
+        let table = Table { title: "T".into(), notes: vec!["`n`".into()], ..Table::default() };
+        let page = page(&Report { tables: vec![table], ..Report::default() }).replace(&script(), "");
+        assert!(page.contains("<p class=\"note\"><code>n</code></p>") && !page.contains("<table>"), "{page}");
     }
 
     #[test]

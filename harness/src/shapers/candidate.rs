@@ -143,6 +143,11 @@ impl Figures {
         self.modes.iter().map(|mode| mode.worst.vibration).fold(0.0, f64::max)
     }
 
+    /// Whether a drive is so slow that it makes the same of the shaped command as of the bare one.
+    pub fn is_idle(&self) -> bool {
+        self.delay < 1e-9 * self.design.duration()
+    }
+
     /// Whether the shaped command can leave the range of the command.
     pub fn exceeds_command(&self) -> bool {
         !self.design.shaper().is_positive()

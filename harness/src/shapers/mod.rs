@@ -65,35 +65,35 @@ impl Request {
 
     /// What is asked of a kind for the first mode alone, or for both.
     fn specification(&self, kind: Kind, both: bool) -> Specification {
-        let first = &self.modes[0];
-        let second = self.modes.get(1).filter(|_| both).map(|second| second.mode);
-        let mut plain = Specification {
+        let modes = &self.modes[..if both { self.modes.len().min(2) } else { 1 }];
+        let mut wanted = Specification {
             vibration_limit: self.vibration_limit,
             base_kinds: self.base_kinds,
             solution: self.solution,
-            ..Specification::new(kind, first.mode)
+            ..Specification::new(kind, modes[0].mode)
         };
+        // SI kinds are for ranges, in the middle of which their design frequencies are, and both as wide as the wider.
+        let kinds = if kind == Kind::Convolved { self.base_kinds } else { [kind; 2] };
+        wanted.modes = [0, 1].map(|place| {
+            let mode = modes.get(place)?;
+            Some(if needs_insensitivity(kinds[place]) { mode.middle() } else { mode.mode })
+        });
+        let ranges = modes.iter().zip(kinds).filter(|(_, kind)| needs_insensitivity(*kind));
+        if let Some(widest) = ranges.map(|(mode, _)| mode.insensitivity()).reduce(f64::max) {
+            wanted.insensitivity = widest;
+        }
         if let Some(DriveStep { drive, velocity }) = self.drive {
-            plain.velocity_limit = velocity;
+            wanted.velocity_limit = velocity;
             match drive {
-                Drive::RateLimit { acceleration } => plain.acceleration_limit = acceleration,
+                Drive::RateLimit { acceleration } => wanted.acceleration_limit = acceleration,
                 Drive::FirstOrder { acceleration_time_constant, braking_time_constant } => {
-                    plain.acceleration_time_constant = acceleration_time_constant;
-                    plain.braking_time_constant = braking_time_constant;
+                    wanted.acceleration_time_constant = acceleration_time_constant;
+                    wanted.braking_time_constant = braking_time_constant;
                 }
                 Drive::Ideal | Drive::SecondOrder { .. } => {}
             }
         }
-        match kind {
-            // These are for ranges, in the middle of which their design frequencies are, and both as wide as the wider.
-            _ if needs_insensitivity(kind) => {
-                let widths = self.modes.iter().take(if both { 2 } else { 1 }).map(UncertainMode::insensitivity);
-                let second = second.and(self.modes.get(1)).map(UncertainMode::middle);
-                let insensitivity = widths.fold(0.0, f64::max);
-                Specification { modes: [Some(first.middle()), second], insensitivity, ..plain }
-            }
-            _ => Specification { modes: [Some(first.mode), second], ..plain },
-        }
+        wanted
     }
 }
 

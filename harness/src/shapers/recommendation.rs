@@ -2,7 +2,8 @@
 //!
 //! 1. A shaper *holds* if what it leaves, behind the drive if one is given, is at most the vibration limit over the whole range
 //!    of every mode.
-//!    Where no shaping at all holds, behind a drive, it is the choice.
+//!    Where no shaping at all holds, behind a drive, it is the choice. What does not hold and delays nothing, as the drive is too
+//!    slow to be told from the bare command, is left out.
 //! 2. It is *safe* if it has no negative impulse: whatever the command, the shaped one stays within the command's range, so a
 //!    drive that can follow the command can follow it.
 //! 3. The choice is the quickest shaper that holds and is safe. Where there is none, it is the quickest that holds; and where
@@ -63,7 +64,10 @@ pub fn recommend(candidates: &[Candidate], vibration_limit: f64) -> Option<Recom
         let (bare, safe) = (candidate.kind == Kind::None, !figures.exceeds_command());
         Some(Seen { place, delay: figures.delay, worst: figures.worst(), holds, safe, bare }).filter(|_| holds || !bare)
     };
-    rules(&candidates.iter().enumerate().filter_map(seen).collect::<Vec<_>>())
+    let seen: Vec<Seen> = candidates.iter().enumerate().filter_map(seen).collect();
+    let is_idle = |one: &Seen| !one.holds && candidates[one.place].figures().is_some_and(Figures::is_idle);
+    let active: Vec<Seen> = seen.iter().filter(|one| !is_idle(one)).copied().collect();
+    rules(if active.is_empty() { &seen } else { &active })
 }
 
 /// Rule 1.

@@ -123,6 +123,34 @@ fn the_worst_of_the_range_is_where_it_is_said_to_be() {
     close(number(worst, "/residual"), (0.25 * std::f64::consts::PI * 1.8).cos(), 1e-12);
 }
 
+/// SI within `Convolved` is for the range, as SI alone is.
+#[test]
+fn convolved_specified_insensitivities_keep_the_limit_over_both_ranges() {
+    for insensitivity in ["0.1", "0.6"] {
+        let modes = ["--frequency", "1", "--frequency", "4.4", "--insensitivity", insensitivity];
+        let answer = json(&[&modes[..], &["--base-kind", "SI", "--kind", "Convolved"]].concat());
+        let shaper = &answer["shapers"][0];
+        for mode in [0, 1] {
+            assert!(number(shaper, &format!("/modes/{mode}/worst/residual")) <= 0.05 + 1e-6);
+        }
+        close(number(shaper, "/parameters/insensitivity"), insensitivity.parse().unwrap(), 1e-12);
+        // no longer than each for itself
+        let alone = |frequency: &str| {
+            let mode = ["--frequency", frequency, "--insensitivity", insensitivity, "--kind", "SI"];
+            number(&json(&mode), "/shapers/0/duration")
+        };
+        close(number(shaper, "/duration"), alone("1") + alone("4.4"), 1e-9);
+    }
+    // Beside another kind only that of SI counts, and the other stays at its mode.
+    let ranges = ["--frequency", "1", "--frequency", "4.4", "--range", "0.9..1.3", "--range", "4.3..4.7"];
+    let mixed = ["--kind", "Convolved", "--base-kind", "ZVD", "--base-kind", "SI"];
+    let answer = json(&[&ranges[..], &mixed].concat());
+    let parameters = &answer["shapers"][0]["parameters"];
+    close(number(parameters, "/mode.frequency[1]"), 1.0, 1e-12);
+    close(number(parameters, "/mode.frequency[2]"), 4.5, 1e-12);
+    close(number(parameters, "/insensitivity"), 0.4 / 4.5, 1e-9);
+}
+
 #[test]
 fn the_recommendation_follows_the_limit() {
     let choice = |arguments: &[&str]| {
@@ -229,9 +257,82 @@ fn behind_unequal_time_constants_umzvc_leaves_nothing() {
     assert!(message.contains("--velocity-limit"), "{message}");
 }
 
+/// 20 s from 0 to 1 m/s: what ZV, ZVD and the like ask for, the drive reaches as late as what the bare command asks for.
+#[test]
+fn a_shaper_that_the_drive_makes_nothing_of_is_not_named() {
+    let drive = ["--acceleration-limit", "0.05", "--velocity-limit", "1"];
+    let answer = json(&[&["--length", "10"], &drive[..]].concat());
+    let shapers = shapers(&answer);
+    for idle in ["ZV", "ZVD", "TwoHumpEI"] {
+        close(number(shapers[idle], "/delay"), 0.0, 1e-12);
+        close(number(shapers[idle], "/modes/0/residual"), number(shapers["None"], "/modes/0/residual"), 1e-12);
+    }
+    let recommendation = &answer["recommendation"];
+    assert_eq!(recommendation["choice"], "ZVDD");
+    assert_eq!(recommendation["quickest"], Value::Null);
+    // unless there is nothing else
+    let alone = json(&[&["--length", "10", "--kind", "ZV"], &drive[..]].concat());
+    assert_eq!(alone["recommendation"]["choice"], "ZV");
+}
+
+#[test]
+fn the_words_say_what_else_there_is_to_do() {
+    let words = |arguments: &[&str]| json(arguments)["recommendation"]["text"].as_str().unwrap().to_owned();
+    // A tower crane: 5 to 40 m of cable are more than half an octave to either side.
+    let (wide, narrow) =
+        (words(&["--length", "18", "--range", "5..40"]), words(&["--length", "18", "--range", "15..20"]));
+    assert!(wide.contains("frequency_source = Length") && !narrow.contains("frequency_source"), "{wide}\n{narrow}");
+    // Two modes behind a drive: 5.4 % remain at best of those that are compared.
+    let hook = ["--length", "10", "--rigging-length", "2", "--mass-ratio", "2"];
+    let drive = ["--acceleration-limit", "1", "--velocity-limit", "0.5"];
+    let none = words(&[&hook[..], &drive].concat());
+    assert!(none.contains("`--base-kind SI`"), "{none}");
+    let robust = json(&[&hook[..], &drive, &["--base-kind", "SI"]].concat());
+    assert_eq!(robust["recommendation"]["choice"], "Convolved");
+    assert_eq!(robust["recommendation"]["holds"], true);
+    // ln 20/(0.7 · 0.8 rad/s) = 5.35 s, and ln 20/(0.3 · 0.8 rad/s) = 12.5 s
+    let [heavy, light] = ["0.7", "0.3"].map(|ratio| words(&["--frequency", "1", "--kind", "ZVD", "--damping", ratio]));
+    assert!(heavy.contains("damping alone brings the vibration down to 5 % in 5.35 s"), "{heavy}");
+    assert!(!light.contains("damping alone"), "{light}");
+    // 0.569 s, and three times 0.2 s until the drive has followed (5.24)
+    let compensated = words(&[
+        "--length",
+        "0.84",
+        "--kind",
+        "UMZVc",
+        "--acceleration-time-constant",
+        "0.2",
+        "--braking-time-constant",
+        "0.065",
+    ]);
+    assert!(compensated.contains("1.249 s apart or more"), "{compensated}");
+}
+
+/// Whoever reads the table may close the pipe before its end: the files are there all the same, and nothing panics.
+#[test]
+fn closed_pipes_lose_no_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let set = folder.path().join("shaper.ssv");
+    let start = |arguments: &[&str]| {
+        std::process::Command::new(env!("CARGO_BIN_EXE_swayless"))
+            .args(arguments)
+            .stdout(std::process::Stdio::piped())
+            .stderr(std::process::Stdio::piped())
+            .spawn()
+            .expect("the command starts")
+    };
+    let mut deaf = start(&["shaper", "--hertz", "1", "--kind", "ZV", "--ssv", set.to_str().unwrap()]);
+    drop((deaf.stdout.take(), deaf.stderr.take()));
+    assert_eq!(deaf.wait().unwrap().code(), Some(0));
+    assert!(std::fs::read_to_string(&set).unwrap().contains("\"ZV\""));
+    let mut deaf = start(&["shaper", "--hertz", "0"]);
+    drop((deaf.stdout.take(), deaf.stderr.take()));
+    assert_eq!(deaf.wait().unwrap().code(), Some(WRONG_USAGE));
+}
+
 #[test]
 fn refusals_name_the_option_the_value_and_the_remedy() {
-    let cases: [(&[&str], &[&str]); 13] = [
+    let cases: [(&[&str], &[&str]); 17] = [
         (&[], &["--length", "--frequency", "--hertz"]),
         (&["--length", "0"], &["`--length 0`", "greater than 0 (m)"]),
         (&["--length", "1", "--hertz", "1"], &["--length", "--hertz"]),
@@ -240,6 +341,10 @@ fn refusals_name_the_option_the_value_and_the_remedy() {
         (&["--hertz", "1", "--damping", "1"], &["`--damping 1`", "at most 0.99"]),
         (&["--hertz", "1", "--damping", "0", "--damping", "0"], &["`--damping` is given 2 times", "one for each"]),
         (&["--hertz", "1", "--range", "2..1"], &["`--range 2..1`", "the lower end first"]),
+        (&["--hertz", "1", "--range", "0.5..0.9"], &["`--range 0.5..0.9`", "the mode's frequency itself"]),
+        (&["--length", "10", "--range", "12..15"], &["`--range 12..15`", "the length itself"]),
+        (&["--hertz", "1", "--gravity", "3"], &["--gravity", "--hertz"]),
+        (&["--hertz", "1", "--rigging-length", "3", "--mass-ratio", "1"], &["--rigging-length", "--hertz"]),
         (&["--hertz", "1", "--range", "0.9..50"], &["`--range 0.9..50`", "bring it nearer"]),
         (&["--hertz", "1", "--hertz", "2", "--range", "1..2"], &["`--range` is given 1 time(s)", "2 time(s)"]),
         (&["--hertz", "1", "--vibration-limit", "5"], &["`--vibration-limit 5`", "0.05 is 5 %"]),
@@ -254,9 +359,15 @@ fn refusals_name_the_option_the_value_and_the_remedy() {
     // all that is wrong at once
     let (_, message) = exits(&["shaper", "--hertz", "-1", "--damping", "2", "--level", "NaN"], WRONG_USAGE);
     assert!(["`--hertz -1`", "`--damping 2`", "`--level NaN`"].iter().all(|part| message.contains(part)), "{message}");
+    // and each thing once
+    for arguments in [["--hertz", "1", "--range", "0..2"], ["--hertz", "1", "--vibration-limit", "5"]] {
+        let (_, message) = exits(&[&["shaper"], &arguments[..]].concat(), WRONG_USAGE);
+        assert_eq!(message.lines().count(), 1, "{message}");
+    }
     // what is asked for is right, but there is no such shaper
     let (stdout, message) = exits(&["shaper", "--hertz", "1", "--kind", "EI", "--damping", "0.9"], WRONG_USAGE);
     assert!(stdout.contains("no EI shaper") && stdout.contains("(`--damping`)"), "{stdout}");
+    assert!(!stdout.contains("Insensitivity"), "a table of nothing: {stdout}");
     assert!(message.contains("there is no shaper to recommend"), "{message}");
 }
 
@@ -337,6 +448,9 @@ fn plots_are_pictures_and_pages() {
     for text in ["frequency (Hz)", "ThreeHumpEI", "Shaped steps", "range of mode 2", "at damping ratio 0.1"] {
         assert!(page.contains(text), "{text}");
     }
+    // each reason for itself, and what to copy into a system
+    assert!(page.contains("<p class=\"note\">UMZVc is made for"), "reasons run into each other");
+    assert!(page.contains("<p>InputShaper: kind = "), "no parameters");
 }
 
 #[test]

@@ -27,7 +27,7 @@ fn the_parameter_set_makes_the_shaper() {
     let (one, two) = (["--length", "10", "--damping", "0.01"], ["--frequency", "1", "--frequency", "3.6"]);
     let limit = ["--acceleration-limit", "0.12", "--velocity-limit", "0.358"];
     let constants = ["--acceleration-time-constant", "0.5", "--braking-time-constant", "0.2"];
-    let cases: [(&str, Vec<&str>); 9] = [
+    let cases: [(&str, Vec<&str>); 10] = [
         ("ZVDDD", one.to_vec()),
         ("SI", [&one[..], &["--range", "8..13"]].concat()),
         ("UMEI", [&one[..], &["--vibration-limit", "0.08"]].concat()),
@@ -35,6 +35,7 @@ fn the_parameter_set_makes_the_shaper() {
         ("ALSI", [&one[..], &limit].concat()),
         ("UMZVc", [&one[..], &constants].concat()),
         ("Convolved", [&two[..], &["--base-kind", "ZV", "--base-kind", "ZVD"]].concat()),
+        ("Convolved", [&two[..], &["--base-kind", "SI", "--insensitivity", "0.15"]].concat()),
         ("MinimumImpulse", [&two[..], &["--solution", "2"]].concat()),
         ("MultiModeSI", [&two[..], &["--insensitivity", "0.2"]].concat()),
     ];

@@ -35,13 +35,13 @@ pub struct Arguments {
     #[arg(long, value_name = "M")]
     length: Option<f64>,
     /// Length of the rigging below the hook (m), for the second mode of hook and payload
-    #[arg(long, value_name = "M", requires = "length", requires = "mass_ratio")]
+    #[arg(long, value_name = "M", requires = "length", requires = "mass_ratio", conflicts_with_all = ["frequency", "hertz"])]
     rigging_length: Option<f64>,
     /// Mass of the payload over that of the hook
-    #[arg(long, value_name = "RATIO", requires = "length", requires = "rigging_length")]
+    #[arg(long, value_name = "RATIO", requires = "length", requires = "rigging_length", conflicts_with_all = ["frequency", "hertz"])]
     mass_ratio: Option<f64>,
     /// Gravity (m/s²)
-    #[arg(long, value_name = "M/S²", default_value_t = 9.81)]
+    #[arg(long, value_name = "M/S²", default_value_t = 9.81, conflicts_with_all = ["frequency", "hertz"])]
     gravity: f64,
     /// Undamped natural frequency (rad/s) instead of a length; given twice, the frequencies of two modes
     #[arg(long, value_name = "RAD/S")]
@@ -112,21 +112,21 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let format = arguments.plot.as_deref().map(plot::Format::of).transpose()?;
     let candidates = question.request.candidates();
     let found = recommend(&candidates, question.request.vibration_limit);
+    // Files first: who reads stdout may have seen enough before its end.
+    if let (Some(path), Some(format)) = (&arguments.plot, format) {
+        files::write(path, &plot::draw(format, &question, &candidates, found)?)?;
+    }
+    if let (Some(path), Some(found)) = (&arguments.ssv, found) {
+        files::write(path, &parameters::set(&candidates[found.choice])?)?;
+    }
     if arguments.json {
         console::print(format_args!("{:#}", json::json(&question, &candidates, found)))?;
     } else {
         print(arguments, &question, &candidates, found)?;
     }
-    if let (Some(path), Some(format)) = (&arguments.plot, format) {
-        files::write(path, &plot::draw(format, &question, &candidates, found)?)?;
-    }
-    match (found, &arguments.ssv) {
-        (Some(found), Some(path)) => files::write(path, &parameters::set(&candidates[found.choice])?)?,
-        (Some(_), None) => {}
-        (None, _) => {
-            let text = "there is no shaper to recommend among the kinds asked for (`--kind`); take others, or change what they need";
-            return Err(swayless::Error::Option(text.to_owned()).into());
-        }
+    if found.is_none() {
+        let text = "there is no shaper to recommend among the kinds asked for (`--kind`); take others, or change what they need";
+        return Err(swayless::Error::Option(text.to_owned()).into());
     }
     Ok(Outcome::Done)
 }
@@ -137,7 +137,8 @@ fn print(
     candidates: &[Candidate],
     found: Option<Recommendation>,
 ) -> Result<(), Failure> {
-    let mut parts = vec![table::heading(question).join("\n"), table::text(question, candidates)];
+    let mut parts = vec![table::heading(question).join("\n")];
+    parts.extend(candidates.iter().any(|one| one.figures().is_some()).then(|| table::text(question, candidates)));
     let listed = |place: usize| !arguments.kind.is_empty() || found.is_some_and(|found| found.choice == place);
     for (_, candidate) in candidates.iter().enumerate().filter(|(place, _)| arguments.impulses && listed(*place)) {
         parts.extend(candidate.figures().map(|figures| table::impulses(candidate, figures)));

@@ -28,7 +28,8 @@ pub fn of(candidate: &Candidate) -> Vec<Parameter> {
     if needs_vibration_limit(kind) || kind == Kind::Convolved {
         list.push(real("vibration_limit", "Residual vibration that is allowed", wanted.vibration_limit, "1"));
     }
-    if needs_insensitivity(kind) {
+    let is_for_range = |kind: &Kind| needs_insensitivity(*kind);
+    if is_for_range(&kind) || (kind == Kind::Convolved && wanted.base_kinds.iter().any(is_for_range)) {
         let what = "Full width of the range of frequencies, over the frequency";
         list.push(real("insensitivity", what, wanted.insensitivity, "1"));
     }

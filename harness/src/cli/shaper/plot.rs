@@ -5,12 +5,12 @@ use std::path::Path;
 use std::sync::Arc;
 
 use swayless::Error;
-use swayless::report::{Curve, Dash, Figure, Panel, Report, Style, html, svg};
+use swayless::report::{Curve, Dash, Figure, Panel, Report, Style, Table, html, svg};
 use swayless::shapers::{Candidate, Figures, Recommendation, UncertainMode};
 use swayless_shaping::{Kind, Mode};
 
 use super::request::{Given, Question};
-use super::{table, words};
+use super::{parameters, table, words};
 use crate::cli::Failure;
 
 /// How curves are drawn.
@@ -50,16 +50,25 @@ pub fn draw(
     let curves = sensitivity(question, candidates, found);
     Ok(match format {
         Format::Picture => svg::picture(&curves, 960, 480)?,
-        Format::Page => html::page(&Report {
-            title: "Input shapers compared".to_owned(),
-            introduction: table::heading(question)
-                .into_iter()
-                .chain(found.map(|found| words::recommendation(question, candidates, found)))
-                .chain(words::refusals(candidates))
-                .collect(),
-            tables: vec![table::report(question, candidates)],
-            figures: vec![curves, steps(question, candidates, found)],
-        }),
+        Format::Page => {
+            let chosen = found.map(|found| {
+                [words::recommendation(question, candidates, found), parameters::line(&candidates[found.choice])]
+            });
+            let refused = Table {
+                title: words::REFUSED.to_owned(),
+                notes: candidates.iter().filter_map(words::refusal).collect(),
+                ..Table::default()
+            };
+            html::page(&Report {
+                title: "Input shapers compared".to_owned(),
+                introduction: table::heading(question).into_iter().chain(chosen.into_iter().flatten()).collect(),
+                tables: [(found.is_some(), table::report(question, candidates)), (!refused.notes.is_empty(), refused)]
+                    .into_iter()
+                    .filter_map(|(is_shown, table)| is_shown.then_some(table))
+                    .collect(),
+                figures: vec![curves, steps(question, candidates, found)],
+            })
+        }
     })
 }
 

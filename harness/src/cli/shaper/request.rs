@@ -9,6 +9,7 @@ use swayless_shaping::{Band, Drive, Kind, Mode, double_pendulum, pendulum};
 
 use super::Arguments;
 use super::check::Check;
+use crate::cli::console::number;
 
 /// What is asked, and the words it was asked in.
 pub struct Question {
@@ -55,7 +56,7 @@ impl Question {
         check.positive("--gravity", arguments.gravity, "m/s²");
         check.share("--vibration-limit", arguments.vibration_limit);
         let level = arguments.level.unwrap_or(arguments.vibration_limit);
-        check.share("--level", level);
+        arguments.level.iter().for_each(|level| check.share("--level", *level));
         if !(0.0..2.0).contains(&arguments.insensitivity) {
             check.wrong("--insensitivity", arguments.insensitivity, "must be at least 0 and less than 2; 0.4 is ±20 %");
         }
@@ -208,6 +209,7 @@ fn ranges(arguments: &Arguments, given: Given, modes: &[Mode], check: &mut Check
     for (low, high) in &arguments.range {
         if !(*low > 0.0 && low <= high && high.is_finite()) {
             check.wrong("--range", format!("{low}..{high}"), "must be greater than 0 and finite, the lower end first");
+            return Vec::new();
         }
     }
     let mut uncertain = Vec::new();
@@ -224,10 +226,16 @@ fn ranges(arguments: &Arguments, given: Given, modes: &[Mode], check: &mut Check
         let near = mode.frequency() / FARTHEST..=mode.frequency() * FARTHEST;
         let low = mode.frequency().min(*range.start());
         let is_near = [range.start(), range.end()].iter().all(|end| near.contains(end));
-        if !arguments.range.is_empty() && !is_near {
-            let (low, high) = arguments.range[place.min(needed - 1)];
-            let text =
-                format!("goes more than {FARTHEST} times from the mode's {} rad/s; bring it nearer", mode.frequency());
+        let given_range = arguments.range.get(place.min(needed - 1));
+        if let Some((low, high)) = given_range.filter(|_| !is_near) {
+            let rate = number(mode.frequency());
+            let text = format!("goes more than {FARTHEST} times from the mode's {rate} rad/s; bring it nearer");
+            check.wrong("--range", format!("{low}..{high}"), &text);
+        } else if let Some((low, high)) = given_range.filter(|_| place < needed && !range.contains(&mode.frequency())) {
+            let what = if matches!(given, Given::Length { .. }) { "length" } else { "mode's frequency" };
+            let text = format!(
+                "does not hold the {what} itself, for which the shapers are designed; move the one or the other"
+            );
             check.wrong("--range", format!("{low}..{high}"), &text);
         } else if Mode::new(low, mode.damping_ratio()).is_err() {
             check.wrong(

@@ -1,9 +1,9 @@
 //! The recommendation, and why kinds are missing, in words.
 
-use swayless::shapers::{Candidate, DriveStep, Figures, Recommendation, Refusal, recommendation};
+use swayless::shapers::{Candidate, DriveStep, Figures, Recommendation, Refusal, UncertainMode, recommendation};
 use swayless_shaping::{Drive, Kind, Quantity};
 
-use super::request::Question;
+use super::request::{Given, Question};
 use crate::cli::console::significant;
 
 /// A share in percent.
@@ -17,11 +17,13 @@ pub fn seconds(time: f64) -> String {
     format!("{} s", significant(time, 4))
 }
 
+/// What precedes the reasons why kinds are missing.
+pub const REFUSED: &str = "Not to be had here";
+
 /// The kinds that there is no shaper of, each with the reason.
 pub fn refusals(candidates: &[Candidate]) -> Option<String> {
-    let reason = |candidate: &Candidate| Some(format!("\n  {}", refusal(candidate)?));
-    let reasons: String = candidates.iter().filter_map(reason).collect();
-    (!reasons.is_empty()).then(|| format!("Not to be had here:{reasons}"))
+    let reasons: String = candidates.iter().filter_map(refusal).map(|reason| format!("\n  {reason}")).collect();
+    (!reasons.is_empty()).then(|| format!("{REFUSED}:{reasons}"))
 }
 
 /// Why there is no shaper of a kind, and what to change.
@@ -123,15 +125,51 @@ pub fn recommendation(question: &Question, candidates: &[Candidate], found: Reco
         let (cost, worst) = (seconds(other.delay), percent(other.worst()));
         sentences.push(format!("{name} would delay the command by {cost} only, and leave up to {worst}."));
     }
+    sentences.extend(otherwise(question, choice, found.holds));
     sentences.join(" ")
 }
 
-/// How long the drive takes for the bare step, if it says.
+/// How long the drive takes for the bare step: three time constants where it never ends (5.24).
 fn ramp_time(question: &Question) -> f64 {
     match question.request.drive {
         Some(DriveStep { drive: Drive::RateLimit { acceleration }, velocity }) => velocity / acceleration,
+        Some(DriveStep {
+            drive: Drive::FirstOrder { acceleration_time_constant: up, braking_time_constant: down },
+            ..
+        }) => 3.0 * up.max(down),
         _ => 0.0,
     }
+}
+
+/// A range of lengths that makes this share of the frequency is better followed than endured.
+const WIDE: f64 = 0.4;
+
+/// What else there is to do than to take a robust shaper.
+fn otherwise(question: &Question, choice: &Figures, holds: bool) -> Vec<String> {
+    let request = &question.request;
+    let mut sentences = Vec::new();
+    let wide = |one: &UncertainMode| one.range.end() - one.range.start() > WIDE * (1.0 + 1e-9) * one.mode.frequency();
+    if matches!(question.given, Given::Length { .. }) && request.modes.iter().any(wide) {
+        sentences.push(
+            "Where the length is measured, InputShaper can follow it (frequency_source = Length), and the range is only what \
+             remains unknown."
+                .to_owned(),
+        );
+    }
+    if request.modes.len() > 1 && !holds && request.base_kinds == [Kind::ZV; 2] {
+        sentences.push("Convolved can be made of more robust kinds than ZV (`--base-kind SI`).".to_owned());
+    }
+    // e^(−ζωt) falls to the limit, slowest where ω is least.
+    let alone = |one: &UncertainMode| -request.vibration_limit.ln() / (one.mode.damping_ratio() * one.range.start());
+    let alone = request.modes.iter().map(alone).fold(0.0, f64::max);
+    if request.drive.is_none() && alone < choice.delay {
+        sentences.push(format!(
+            "But damping alone brings the vibration down to {} in {}, sooner than that shaper is done.",
+            percent(request.vibration_limit),
+            seconds(alone)
+        ));
+    }
+    sentences
 }
 
 fn negative(figures: &Figures) -> String {
