@@ -61,6 +61,33 @@ fn every_parameter_set_fits_its_system() {
     }
 }
 
+/// What a bridge crane's set says of commands and shapers suits the crane that it makes: nothing runs into an end stop, and
+/// the shapers leave less than a tenth of the swing that there is without them.
+#[test]
+fn the_shapers_of_a_set_suit_its_crane() {
+    let system = repository().join("examples/bridge-crane/SystemStructure.ssd");
+    for (set, _) in SETS.iter().filter(|(_, system)| *system == "bridge-crane") {
+        let values = repository().join(format!("examples/parameters/{set}.ssv"));
+        let run = |more: &[&str]| -> serde_json::Value {
+            let mut command = packaged::command();
+            command.arg("run").arg(&system).arg("--fmu-dir").arg(packaged::all().output_dir.join("fmi3"));
+            command.arg("--parameter-set").arg(&values).arg("--json").args(more);
+            serde_json::from_slice(&command.output().expect("the command starts").stdout).expect("JSON")
+        };
+        let of = |run: &serde_json::Value, name: &str, key: &str| -> f64 {
+            let variables = run["variables"].as_array().expect("a list");
+            let variable = variables.iter().find(|variable| variable["name"] == name).expect("a variable");
+            variable[key].as_f64().expect("a number")
+        };
+        let shaped = run(&[]);
+        let none = ["--start-value", "trolley_shaper.kind=None", "--start-value", "bridge_shaper.kind=None"];
+        let swing = [&shaped, &run(&none)].map(|run| of(run, "crane.swing.amplitude", "end"));
+        println!("{set}: {} rad, without shapers {} rad", swing[0], swing[1]);
+        assert!(swing[0] < 0.1 * swing[1], "{set}: {swing:?}");
+        assert_eq!(of(&shaped, "crane.at_limit", "max"), 0.0, "{set}");
+    }
+}
+
 #[test]
 fn every_value_says_where_it_is_from() {
     for path in files("ssv") {
