@@ -419,6 +419,14 @@ fn sound(arguments: &[&str], option: &str) {
 }
 
 #[test]
+fn the_help_names_all_kinds() {
+    let (help, _) = exits(&["shaper", "--help"], 0);
+    let kinds = help.split_once("Kinds:").unwrap().1.split_once('.').unwrap().0;
+    let named: Vec<&str> = kinds.split(',').map(str::trim).collect();
+    assert_eq!(named, swayless_shaping::Kind::ALL.map(swayless_shaping::Kind::name));
+}
+
+#[test]
 fn impulses_are_printed() {
     let (stdout, _) = exits(&["shaper", "--hertz", "0.5", "--kind", "zvd", "--impulses"], 0);
     for row in [["1", "0.000000", "0.250000"], ["2", "1.000000", "0.500000"], ["3", "2.000000", "0.250000"]] {
@@ -473,6 +481,23 @@ fn a_parameter_set_holds_the_recommended_shaper() {
             None => close(written.parse().unwrap(), said.as_f64().unwrap(), 1e-15),
         }
     }
+}
+
+/// Durations and widths in the table of `InputShaper`'s page are those of its shapers.
+#[test]
+fn the_page_of_the_shaper_tells_its_durations_and_widths() {
+    let page = std::fs::read_to_string("../fmus/input-shaper/README.md").unwrap();
+    let answer = json(&["--hertz", "1"]);
+    let mut rows = 0;
+    for (kind, shaper) in shapers(&answer) {
+        let Some(row) = page.lines().find(|line| line.starts_with(&format!("| `{kind}` ("))) else { continue };
+        let cells: Vec<&str> = row.split('|').map(str::trim).collect();
+        let (Ok(duration), Ok(width)) = (cells[3].parse::<f64>(), cells[4].parse::<f64>()) else { continue };
+        close(number(shaper, "/duration"), duration, 5.1e-4);
+        close(number(shaper, "/modes/0/insensitivity"), width, 5.1e-4);
+        rows += 1;
+    }
+    assert_eq!(rows, 10, "{page}");
 }
 
 /// The pages show what the command prints, to the letter.

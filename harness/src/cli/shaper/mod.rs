@@ -25,11 +25,7 @@ use request::Question;
 #[derive(Debug, clap::Args)]
 #[command(allow_negative_numbers = true)]
 #[command(group(ArgGroup::new("mode").required(true).args(["length", "frequency", "hertz"])))]
-#[command(after_help = "Examples:\n  \
-    swayless shaper --length 10 --damping 0.01 --range 8..13\n  \
-    swayless shaper --hertz 0.28 --kind ZVD --kind EI --impulses\n  \
-    swayless shaper --length 8 --rigging-length 3 --mass-ratio 0.5 --plot sensitivity.html\n\n\
-    The rules of the recommendation and what the JSON holds: docs/shaper.md.")]
+#[command(after_help = more_help())]
 pub struct Arguments {
     /// Length of the cable that the load hangs on (m)
     #[arg(long, value_name = "M")]
@@ -76,7 +72,7 @@ pub struct Arguments {
     /// Time constant with which the drive slows down (s)
     #[arg(long, value_name = "SECONDS", requires = "acceleration_time_constant")]
     braking_time_constant: Option<f64>,
-    /// The kind for each mode that `Convolved` is made of; given twice, one for each mode
+    /// The kind for each mode that `Convolved` is made of; given twice, one for each mode [default: ZV]
     #[arg(long, value_name = "KIND", ignore_case = true, hide_possible_values = true, value_parser = kinds())]
     base_kind: Vec<Kind>,
     /// Which of the solutions of `MinimumImpulse`, from 1, the shortest
@@ -97,6 +93,21 @@ pub struct Arguments {
     /// Print as JSON
     #[arg(long)]
     json: bool,
+}
+
+/// What follows the options.
+fn more_help() -> String {
+    let names: Vec<&str> = Kind::ALL.into_iter().map(Kind::name).collect();
+    format!(
+        "Kinds: {}.\nWhat each is for: fmus/input-shaper/README.md.\n\n\
+         Examples:\n  \
+         swayless shaper --length 10 --damping 0.01 --range 8..13\n  \
+         swayless shaper --hertz 0.28 --kind ZVD --kind EI --impulses\n  \
+         swayless shaper --hertz 0.28 --acceleration-limit 0.12 --velocity-limit 0.358\n  \
+         swayless shaper --length 8 --rigging-length 3 --mass-ratio 0.5 --plot sensitivity.html\n\n\
+         The rules of the recommendation and what the JSON holds: docs/shaper.md.",
+        names.join(", ")
+    )
 }
 
 fn kinds() -> impl TypedValueParser<Value = Kind> {
