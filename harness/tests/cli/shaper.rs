@@ -110,6 +110,8 @@ fn modes_come_from_lengths_frequencies_or_hertz() {
     ]);
     close(number(&double, "/modes/0/frequency"), 1.0284, 5e-5);
     close(number(&double, "/modes/1/frequency"), 2.3847, 5e-5);
+    let hook_alone = json(&["--length", "8", "--rigging-length", "3", "--mass-ratio", "0", "--kind", "ZV"]);
+    assert_eq!(hook_alone["modes"], json(&["--length", "8", "--kind", "ZV"])["modes"]);
     let of_9 = json(&["--length", "9", "--rigging-length", "3", "--mass-ratio", "0.5", "--kind", "Convolved"]);
     assert_eq!(number(&double, "/modes/1/range/low"), number(&of_9, "/modes/1/frequency"));
 }
@@ -332,7 +334,7 @@ fn closed_pipes_lose_no_files() {
 
 #[test]
 fn refusals_name_the_option_the_value_and_the_remedy() {
-    let cases: [(&[&str], &[&str]); 17] = [
+    let cases: [(&[&str], &[&str]); 19] = [
         (&[], &["--length", "--frequency", "--hertz"]),
         (&["--length", "0"], &["`--length 0`", "greater than 0 (m)"]),
         (&["--length", "1", "--hertz", "1"], &["--length", "--hertz"]),
@@ -348,6 +350,8 @@ fn refusals_name_the_option_the_value_and_the_remedy() {
         (&["--hertz", "1", "--range", "0.9..50"], &["`--range 0.9..50`", "bring it nearer"]),
         (&["--hertz", "1", "--hertz", "2", "--range", "1..2"], &["`--range` is given 1 time(s)", "2 time(s)"]),
         (&["--hertz", "1", "--vibration-limit", "5"], &["`--vibration-limit 5`", "0.05 is 5 %"]),
+        (&["--hertz", "1", "--insensitivity", "1.6"], &["`--insensitivity 1.6`", "at most 1.5"]),
+        (&["--hertz", "1", "--range", "0.2..2"], &["`--range 0.2..2`", "narrow it"]),
         (&["--hertz", "1", "--kind", "ZVV"], &["--kind", "ZVV", "ZVD"]),
         (&["--hertz", "1", "--plot", "curves.pdf"], &["`--plot curves.pdf`", ".svg", ".html"]),
     ];

@@ -27,9 +27,12 @@ fn the_parameter_set_makes_the_shaper() {
     let (one, two) = (["--length", "10", "--damping", "0.01"], ["--frequency", "1", "--frequency", "3.6"]);
     let limit = ["--acceleration-limit", "0.12", "--velocity-limit", "0.358"];
     let constants = ["--acceleration-time-constant", "0.5", "--braking-time-constant", "0.2"];
-    let cases: [(&str, Vec<&str>); 10] = [
+    let cases: [(&str, Vec<&str>); 12] = [
         ("ZVDDD", one.to_vec()),
         ("SI", [&one[..], &["--range", "8..13"]].concat()),
+        // as little and as much as the command takes
+        ("SI", vec!["--hertz", "1", "--vibration-limit", "0.005", "--insensitivity", "0"]),
+        ("SI", vec!["--hertz", "1", "--vibration-limit", "0.5", "--insensitivity", "1.5"]),
         ("UMEI", [&one[..], &["--vibration-limit", "0.08"]].concat()),
         ("ALEI", [&one[..], &limit].concat()),
         ("ALSI", [&one[..], &limit].concat()),

@@ -28,6 +28,10 @@ pub enum Given {
     Hertz,
 }
 
+/// What `InputShaper` takes as a vibration limit with any kind, and as an insensitivity at most.
+const VIBRATION_LIMITS: RangeInclusive<f64> = 0.005..=0.5;
+const WIDEST: f64 = 1.5;
+
 /// Ranges may go so far from the mode's frequency, as a factor: where insensitivity stops looking, too.
 const FARTHEST: f64 = 20.0;
 
@@ -54,11 +58,16 @@ impl Question {
             None => Given::Hertz,
         };
         check.positive("--gravity", arguments.gravity, "m/s²");
-        check.share("--vibration-limit", arguments.vibration_limit);
+        if !VIBRATION_LIMITS.contains(&arguments.vibration_limit) {
+            let (least, most) = (VIBRATION_LIMITS.start(), VIBRATION_LIMITS.end());
+            let text = format!("must be at least {least} and at most {most}; 0.05 is 5 %");
+            check.wrong("--vibration-limit", arguments.vibration_limit, &text);
+        }
         let level = arguments.level.unwrap_or(arguments.vibration_limit);
         arguments.level.iter().for_each(|level| check.share("--level", *level));
-        if !(0.0..2.0).contains(&arguments.insensitivity) {
-            check.wrong("--insensitivity", arguments.insensitivity, "must be at least 0 and less than 2; 0.4 is ±20 %");
+        if !(0.0..=WIDEST).contains(&arguments.insensitivity) {
+            let text = format!("must be at least 0 and at most {WIDEST}; 0.4 is ±20 %");
+            check.wrong("--insensitivity", arguments.insensitivity, &text);
         }
         for damping in &arguments.damping {
             if !(0.0..=HIGHEST_DAMPING).contains(damping) {
@@ -190,7 +199,10 @@ fn frequencies(arguments: &Arguments, check: &mut Check) -> Vec<(&'static str, f
 /// The frequencies of the modes at a length of the cable.
 fn of_length(arguments: &Arguments, length: f64) -> Vec<f64> {
     match (arguments.rigging_length, arguments.mass_ratio) {
-        (Some(rigging), Some(ratio)) => double_pendulum(arguments.gravity, length, rigging, ratio).to_vec(),
+        // Nothing hangs below the hook where the payload has no mass, for InputShaper and BridgeCrane neither.
+        (Some(rigging), Some(ratio)) if ratio != 0.0 => {
+            double_pendulum(arguments.gravity, length, rigging, ratio).to_vec()
+        }
         _ => vec![pendulum(arguments.gravity, length)],
     }
 }
@@ -235,6 +247,13 @@ fn ranges(arguments: &Arguments, given: Given, modes: &[Mode], check: &mut Check
             let what = if matches!(given, Given::Length { .. }) { "length" } else { "mode's frequency" };
             let text = format!(
                 "does not hold the {what} itself, for which the shapers are designed; move the one or the other"
+            );
+            check.wrong("--range", format!("{low}..{high}"), &text);
+        } else if let (Some((low, high)), true) =
+            (given_range, 2.0 * (range.end() - range.start()) > WIDEST * (range.end() + range.start()))
+        {
+            let text = format!(
+                "is wider than {WIDEST} times the frequency in its middle; no shaper is made for that: narrow it"
             );
             check.wrong("--range", format!("{low}..{high}"), &text);
         } else if Mode::new(low, mode.damping_ratio()).is_err() {
