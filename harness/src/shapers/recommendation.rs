@@ -8,7 +8,8 @@
 //!    drive that can follow the command can follow it.
 //! 3. The choice is the quickest shaper that holds and is safe. Where there is none, it is the quickest that holds; and where
 //!    none holds, the safe one, else any, that leaves least.
-//! 4. Shapers whose delays differ by at most [`AS_LONG`] count as equally long; of those the one that leaves least is taken.
+//! 4. Shapers whose delays differ by at most [`AS_LONG`] count as equally long; of those the one that leaves least is taken, but one
+//!    that is exact only while no other change is being shaped only where all are.
 //! 5. The runner-up is what would be chosen of the others that are safe and as long as the choice; where there is none, of all
 //!    others.
 //! 6. Named beside them are a quicker one that holds but is not safe, and the quickest safe one of all, since what is waited
@@ -54,6 +55,8 @@ struct Seen {
     safe: bool,
     /// Whether it is no shaper at all.
     bare: bool,
+    /// Whether it is exact whatever else is being shaped.
+    adds_up: bool,
 }
 
 /// Applies the rules; `None` where no shaper was designed at all.
@@ -62,7 +65,9 @@ pub fn recommend(candidates: &[Candidate], vibration_limit: f64) -> Option<Recom
         let figures = candidate.figures()?;
         let holds = holds(figures, vibration_limit);
         let (bare, safe) = (candidate.kind == Kind::None, !figures.exceeds_command());
-        Some(Seen { place, delay: figures.delay, worst: figures.worst(), holds, safe, bare }).filter(|_| holds || !bare)
+        let adds_up = figures.design.adds_up();
+        Some(Seen { place, delay: figures.delay, worst: figures.worst(), holds, safe, bare, adds_up })
+            .filter(|_| holds || !bare)
     };
     let seen: Vec<Seen> = candidates.iter().enumerate().filter_map(seen).collect();
     let is_idle = |one: &Seen| !one.holds && candidates[one.place].figures().is_some_and(Figures::is_idle);
@@ -109,7 +114,8 @@ fn choose(seen: &[Seen]) -> Option<Seen> {
 /// Rule 4.
 fn quickest(seen: &[Seen]) -> Option<Seen> {
     let shortest = seen.iter().map(|one| one.delay).fold(f64::INFINITY, f64::min);
-    seen.iter().filter(|one| one.delay <= shortest * (1.0 + AS_LONG)).copied().min_by(quieter)
+    let equals = seen.iter().filter(|one| one.delay <= shortest * (1.0 + AS_LONG)).copied();
+    equals.min_by(|one, other| other.adds_up.cmp(&one.adds_up).then(quieter(one, other)))
 }
 
 fn quieter(one: &Seen, other: &Seen) -> Ordering {
@@ -128,6 +134,7 @@ mod tests {
             holds: worst <= 0.05,
             safe,
             bare: false,
+            adds_up: true,
         };
         list.iter().enumerate().map(one).collect()
     }
@@ -149,6 +156,16 @@ mod tests {
     fn of_two_as_long_the_quieter() {
         check(&[(1.0, 0.04, true), (1.009, 0.03, true)], 1, Some(0), [None, None]);
         check(&[(1.0, 0.04, true), (1.011, 0.03, true)], 0, Some(1), [None, None]);
+    }
+
+    #[test]
+    fn of_two_as_long_the_one_that_is_exact_for_any_command() {
+        let mut alone = seen(&[(1.0, 0.03, true), (1.005, 0.04, true), (1.2, 0.02, true)]);
+        alone[0].adds_up = false;
+        assert_eq!(rules(&alone).map(|found| (found.choice, found.runner_up)), Some((1, Some(0))));
+        // but not for a longer delay
+        alone[1].delay = 1.02;
+        assert_eq!(rules(&alone).map(|found| found.choice), Some(0));
     }
 
     #[test]
