@@ -3,7 +3,7 @@
 use nalgebra::{Complex, SVector};
 
 use super::system::System;
-use super::{LARGEST, SAME, Train};
+use super::{LARGEST, NEGLIGIBLE, SAME, Train};
 use crate::continuation::Pace;
 use crate::{Impulse, Mode};
 
@@ -42,7 +42,9 @@ fn follow_one(train: &Train, modes: [Mode; 2]) -> Option<Train> {
     };
     let train = unpack(&PACE.follow(1.0, guess, solve).ok()?, unit)?;
     let train = if pair_first { train.mirrored() } else { train };
-    (train.impulses[0].time == 0.0).then_some(train)
+    let kept = train.without_impulses_below(NEGLIGIBLE);
+    // a last impulse that is next to nothing is not left out but waited for: damping does its work
+    (kept.impulses[0].time == 0.0 && kept.duration() == train.duration()).then_some(kept)
 }
 
 /// Most get to the end in one step.
@@ -110,5 +112,5 @@ fn unpack(unknowns: &Unknowns, unit: f64) -> Option<Train> {
     ];
     let size: f64 = impulses.iter().map(|impulse| impulse.amplitude.abs()).sum();
     let ordered = impulses[1].time > SAME * impulses[2].time && impulses[1].time < impulses[2].time;
-    (ordered && size <= LARGEST).then(|| Train::of(impulses))
+    (ordered && size <= LARGEST).then_some(Train { count: 3, impulses })
 }

@@ -15,6 +15,7 @@ use nalgebra::{Complex, DMatrix};
 use super::SpecifiedError;
 use super::extrema::{Jet, minima};
 use super::game;
+use super::polish::MARGIN;
 use super::response::Response;
 
 /// Frequencies that one damping ratio goes with.
@@ -171,7 +172,9 @@ impl Exchange {
             idle = if upper - lower < 0.99 * gap { 0 } else { idle + 1 };
             gap = gap.min(upper - lower);
             if gap <= GAP || idle > MAX_IDLE {
-                return Ok(Verdict::Close(mix));
+                // as good as the proof of what Newton's method finds
+                let holds = upper <= limit * (1.0 + MARGIN);
+                return Ok(if holds { Verdict::LongEnough(mix) } else { Verdict::Close(mix) });
             }
             let value = 0.5 * (lower + upper);
             self.places.extend(prices.iter().filter(|(_, jet)| jet[0] < value).map(|(place, _)| *place));

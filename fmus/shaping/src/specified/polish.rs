@@ -207,4 +207,4 @@ const MAX_ITERATIONS: usize = 20;
 const TOLERANCE: f64 = 1e-9;
 
 /// By how much, relative to the limit, rounding may keep the two sides apart.
-const MARGIN: f64 = 1e-9;
+pub(super) const MARGIN: f64 = 1e-9;

@@ -173,6 +173,17 @@ fn an_impulse_about_to_split_in_two() {
     assert!(shorter < si.duration() && si.duration() < longer && longer - shorter < 1e-5, "{shorter} {longer} {si:?}");
 }
 
+/// Hardly any damping: the game tells the two sides apart to no more than 1e-9 of the limit.
+#[test]
+fn an_impulse_about_to_split_next_to_no_damping() {
+    let (range, zeta, limit) = (around(1.0, 0.6227229711237372), 2.9191763507351125e-5, 0.0077438122518444135);
+    let train = designed(range, zeta, limit);
+    assert!(highest(&train, range, zeta) <= limit * (1.0 + 2e-9));
+    let neighbour = |share: f64| designed(range, zeta, limit * share).duration();
+    let (shorter, longer) = (neighbour(1.0 + 1e-5), neighbour(1.0 - 1e-5));
+    assert!(shorter < train.duration() && train.duration() < longer && longer - shorter < 1e-3, "{shorter} {longer}");
+}
+
 #[test]
 fn refusals() {
     let refused = |lower, upper, zeta, limit| specified_insensitivity(Band { lower, upper }, zeta, limit).unwrap_err();

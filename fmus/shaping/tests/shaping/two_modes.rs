@@ -288,6 +288,15 @@ fn convolution_is_refused_beyond_the_capacity() {
     assert!(matches!(convolve(&far, &far), Err(ShaperError::Time { .. })));
 }
 
+/// With so much damping a train's last impulse may be next to nothing: without it, at the end of the others, the vibration is not.
+#[test]
+fn a_last_impulse_is_not_left_out() {
+    let modes = [mode(1.440294451185972, 0.868680462824934), mode(0.7201472255054657, 0.9052109228283731)];
+    for train in solutions(modes) {
+        assert!(highest_residual(&train, modes) < 1e-12, "{train:?}");
+    }
+}
+
 #[test]
 fn refusals() {
     let count = solutions(undamped(4.0)).len();
