@@ -104,7 +104,7 @@ const TERMINALS: &[Terminal] = &[
     },
     terminals::SLEW,
     terminals::LUFF,
-    Terminal { members: &[("hoist.rate", "rate")], ..terminals::HOIST },
+    terminals::HOIST,
     Terminal {
         name: "trolley",
         description: "Trolley axis",
@@ -161,6 +161,15 @@ impl Model for CartesianController {
                 format!("is {frequency}; it must be 0, for drives that follow at once, or at least {SLOWEST_DRIVE}");
             problems.push(Problem::new("drive.natural_frequency", message));
         }
+        let ends = [
+            ("luff.angle", p.luff.angle_min, p.luff.angle_max),
+            ("hoist.length", p.hoist.length_min, p.hoist.length_max),
+            ("trolley.radius", p.trolley.radius_min, p.trolley.radius_max),
+            ("extension.length", p.extension.length_min, p.extension.length_max),
+        ];
+        problems.extend(ends.into_iter().filter(|(_, min, max)| min > max).map(|(name, min, max)| {
+            Problem::new(format!("{name}_max"), format!("is {max}; it must be at least {name}_min of {min}"))
+        }));
         problems
     }
 
@@ -178,14 +187,16 @@ impl Model for CartesianController {
         let (response, yaw_rate) = (response(p), cut(u.base.yaw_rate));
         memory.advance(at.t, response);
         let ramp = Ramp::new(memory.before, &acceleration_limits(p), memory.passed);
+        // Whoever samples when it suits is taken to go on as before.
+        let interval = if p.sample_time > 0.0 { p.sample_time } else { memory.passed };
         let measured = Joints::measured(p, u);
         let way = |axis: Axis| response.way_to_go(memory.drives[axis as usize]);
         let mut joints = measured.moved(way, yaw_rate * response.delay());
         if p.look_ahead > 0.0 {
-            let now = moved(p, u, joints, ramp.as_ref()).rates;
+            let now = moved(p, u, joints, interval, ramp.as_ref()).rates;
             joints = joints.moved(|axis| now[axis as usize] * p.look_ahead, yaw_rate * p.look_ahead);
         }
-        let Moved { rates, velocity, shares, is_whole } = moved(p, u, joints, ramp.as_ref());
+        let Moved { rates, velocity, shares, is_whole } = moved(p, u, joints, interval, ramp.as_ref());
         memory.now = Told { velocity, rates };
         tell(&rates, d);
         [d.base.cancelled_fraction, d.speed_fraction] = shares;

@@ -2,18 +2,16 @@
 
 use swayless_crane::{are_physical, cut};
 use swayless_mechanics::{
-    AXES, Axis, AxisRates, Machine as Crane, Margin, Pace, Restraint, Rigging, Scaling as Together, Vector,
+    AXES, Axis, AxisRates, Machine as Crane, Margin, Pace, RateRanges, Restraint, Rigging, Scaling as Together, Vector,
 };
 
 use crate::ramp::Ramp;
-use crate::variables::{Frame, Inputs, Machine, Parameters, Scaling};
+use crate::variables::{FARTHEST, Frame, Inputs, MOST_TURNED, Machine, Parameters, Scaling};
 
-/// No joint is farther (m).
-const FARTHEST: f64 = 1e4;
 /// No boom is shorter (m).
 const SHORTEST: f64 = 1e-3;
-/// No angle is greater (rad).
-const MOST_TURNED: f64 = 1e6;
+/// No axis slows down less (rad/s², m/s²).
+const WEAKEST: f64 = 1e-6;
 /// No component of a velocity is a smaller share of it, but 0: what rounding leaves where x and y are turned into the
 /// crane's directions is no motion towards a singular position.
 const NOTHING: f64 = 1e-12;
@@ -23,7 +21,10 @@ const NOTHING: f64 = 1e-12;
 pub struct Joints {
     slew: f64,
     luff: f64,
+    /// The suspension length.
+    hoist: f64,
     radius: f64,
+    /// The boom's length with its extension.
     length: f64,
     yaw: f64,
 }
@@ -38,6 +39,7 @@ impl Joints {
         Self {
             slew: cut_angle(u.slew.angle),
             luff: cut_angle(u.luff.angle),
+            hoist: u.hoist.length.clamp(0.0, FARTHEST),
             radius: u.trolley.radius.clamp(0.0, FARTHEST),
             length: (p.boom.length + u.extension.length).clamp(SHORTEST, FARTHEST),
             yaw: cut_angle(u.base.yaw),
@@ -50,6 +52,7 @@ impl Joints {
         Self {
             slew: self.slew + way(Axis::Slew),
             luff: self.luff + way(Axis::Luff),
+            hoist: self.hoist + way(Axis::Hoist),
             radius: (self.radius + way(Axis::Trolley)).clamp(0.0, FARTHEST),
             length: (self.length + way(Axis::Extension)).clamp(SHORTEST, FARTHEST),
             yaw: self.yaw + yaw,
@@ -89,9 +92,16 @@ fn of_axes(values: [(Axis, f64); AXES]) -> AxisRates {
     all
 }
 
-/// How fast each axis may be.
-fn limits(p: &Parameters<f64>) -> AxisRates {
-    of_axes([
+/// How fast each axis may be, with an `interval` (s) until it is told anew, on the way with such speeds: no faster than it
+/// can, and than it can stop before its ends. All rates get slower together there, so that the one that takes longest says how
+/// soon.
+fn limits(p: &Parameters<f64>, joints: &Joints, speeds: &AxisRates, interval: f64) -> RateRanges {
+    let accelerations = acceleration_limits(p);
+    let soonest = accelerations.component_div(speeds).min();
+    let deceleration = |axis: usize| {
+        if speeds[axis] == 0.0 { accelerations[axis] } else { (soonest * speeds[axis]).max(WEAKEST) }
+    };
+    let mut ranges = RateRanges::either_way(&of_axes([
         (Axis::Slew, p.slew.rate_limit),
         (Axis::Luff, p.luff.rate_limit),
         (Axis::Hoist, p.hoist.rate_limit),
@@ -99,7 +109,19 @@ fn limits(p: &Parameters<f64>) -> AxisRates {
         (Axis::Extension, p.extension.rate_limit),
         (Axis::LuffLine, p.luff.line_speed_limit),
         (Axis::HoistLine, p.hoist.line_speed_limit),
-    ])
+    ]));
+    let extension = joints.length - p.boom.length;
+    let ends = [
+        (Axis::Luff, joints.luff, [p.luff.angle_min, p.luff.angle_max]),
+        (Axis::Hoist, joints.hoist, [p.hoist.length_min, p.hoist.length_max]),
+        (Axis::Trolley, joints.radius, [p.trolley.radius_min, p.trolley.radius_max]),
+        (Axis::Extension, extension, [p.extension.length_min, p.extension.length_max]),
+    ];
+    for (axis, at, [min, max]) in ends {
+        let range = &mut ranges.0[axis as usize];
+        *range = range.before_ends([at - min, max - at], deceleration(axis as usize), interval);
+    }
+    ranges
 }
 
 /// How fast each axis may get faster.
@@ -139,8 +161,8 @@ pub struct Moved {
 ///
 /// The slewing axis moves with v_base + a ψ̇ b₂. Relative to it, and in directions that are turned by ψ + θ, a load at the
 /// distance R moves with Ṙ along and R (ψ̇ + θ̇) across. So the base's motion is made up for by T(−v_base − a ψ̇ b₂) and
-/// θ̇ = −ψ̇, and goes before: of the command there is what fits beside it.
-pub fn moved(p: &Parameters<f64>, u: &Inputs<f64>, joints: Joints, ramp: Option<&Ramp>) -> Moved {
+/// θ̇ = −ψ̇, and goes before: of the command there is what fits beside it. The rates hold for an `interval` (s).
+pub fn moved(p: &Parameters<f64>, u: &Inputs<f64>, joints: Joints, interval: f64, ramp: Option<&Ramp>) -> Moved {
     let crane = joints.crane(p);
     let direction = joints.yaw + joints.slew;
     let from = match p.frame {
@@ -156,7 +178,9 @@ pub fn moved(p: &Parameters<f64>, u: &Inputs<f64>, joints: Joints, ramp: Option<
     let mut base = crane.rates(-seen_from(direction, axis, 0.0));
     base[Axis::Slew as usize] -= yaw_rate;
 
-    let restraint = Restraint { limits: limits(p), margin: margin(p), scaling: together(p.scaling) };
+    let wanted = seen_from(from, [x, y], up);
+    let limits = limits(p, &joints, &(base.abs() + crane.rates(wanted).abs()), interval);
+    let restraint = Restraint { limits, margin: margin(p), scaling: together(p.scaling) };
     let saturate = |velocity: Vector<f64>| {
         let pace = Pace {
             horizontal: axis[0].hypot(axis[1]) + velocity.x.hypot(velocity.y),
@@ -170,7 +194,6 @@ pub fn moved(p: &Parameters<f64>, u: &Inputs<f64>, joints: Joints, ramp: Option<
         Scaling::Uniform => velocity * share,
         Scaling::Thesis => velocity,
     };
-    let wanted = seen_from(from, [x, y], up);
     let full = saturate(wanted);
     let (mut velocity, mut given, mut share) = (left(wanted, full.second), full, 1.0);
     if let Some(Ramp { before, changes }) = ramp {
@@ -205,9 +228,11 @@ pub fn is_physical(p: &Parameters<f64>, u: &Inputs<f64>) -> bool {
     let rates = [u.velocity.x, u.velocity.y, u.velocity.z, u.base.velocity.x, u.base.velocity.y, u.base.yaw_rate];
     let angles = [u.slew.angle, u.luff.angle, u.base.yaw, u.operator.heading];
     let length = p.boom.length + u.extension.length;
+    let is_way = |way: f64| (0.0..=FARTHEST).contains(&way);
     let reach = match p.machine {
-        Machine::Tower => (0.0..=FARTHEST).contains(&u.trolley.radius),
-        Machine::Boom | Machine::BoomLift => (SHORTEST..=FARTHEST).contains(&length),
+        Machine::Tower => is_way(u.trolley.radius) && is_way(u.hoist.length),
+        Machine::Boom => (SHORTEST..=FARTHEST).contains(&length) && is_way(u.hoist.length),
+        Machine::BoomLift => (SHORTEST..=FARTHEST).contains(&length),
     };
     reach && are_physical(&rates) && angles.iter().all(|angle| angle.abs() <= MOST_TURNED)
 }

@@ -3,6 +3,10 @@
 use swayless_crane::{BaseVelocity, FASTEST, HoistSheaveParameters, JibParameters, STRONGEST};
 use swayless_export::{Enumeration, Scalar, Variables};
 
+/// No angle is greater (rad), and no joint farther (m).
+pub const MOST_TURNED: f64 = 1e6;
+pub const FARTHEST: f64 = 1e4;
+
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Enumeration)]
 pub enum Machine {
     /// A boom that slews and luffs, with a hoist: a mobile boom crane.
@@ -96,6 +100,12 @@ pub struct LuffLimits<R: Scalar> {
     /// Greatest acceleration of the luff line.
     #[variable(unit = "m/s2", start = STRONGEST, min = 1e-6, max = STRONGEST)]
     pub line_acceleration_limit: R,
+    /// Least luff angle, before which the load comes to rest.
+    #[variable(unit = "rad", start = -MOST_TURNED, min = -1e9, max = 1e9)]
+    pub angle_min: R,
+    /// Greatest luff angle, before which the load comes to rest.
+    #[variable(unit = "rad", start = MOST_TURNED, min = -1e9, max = 1e9)]
+    pub angle_max: R,
 }
 
 #[derive(Clone, Variables)]
@@ -112,6 +122,12 @@ pub struct HoistLimits<R: Scalar> {
     /// Greatest acceleration of the hoist line.
     #[variable(unit = "m/s2", start = STRONGEST, min = 1e-6, max = STRONGEST)]
     pub line_acceleration_limit: R,
+    /// Least suspension length, before which the load comes to rest.
+    #[variable(unit = "m", min = 0.0, max = FARTHEST)]
+    pub length_min: R,
+    /// Greatest suspension length, before which the load comes to rest.
+    #[variable(unit = "m", start = FARTHEST, min = 0.0, max = FARTHEST)]
+    pub length_max: R,
 }
 
 #[derive(Clone, Variables)]
@@ -122,6 +138,12 @@ pub struct TrolleyParameters<R: Scalar> {
     /// Greatest acceleration of the trolley.
     #[variable(unit = "m/s2", start = STRONGEST, min = 1e-6, max = STRONGEST)]
     pub acceleration_limit: R,
+    /// Least radius, before which the load comes to rest.
+    #[variable(unit = "m", min = 0.0, max = FARTHEST)]
+    pub radius_min: R,
+    /// Greatest radius, before which the load comes to rest.
+    #[variable(unit = "m", start = FARTHEST, min = 0.0, max = FARTHEST)]
+    pub radius_max: R,
     /// How close to the slewing axis the load gets slower.
     #[variable(unit = "m", start = 0.5, min = 1e-4, max = 1e3)]
     pub singularity_margin: R,
@@ -135,6 +157,12 @@ pub struct ExtensionLimits<R: Scalar> {
     /// Greatest acceleration of the boom's extension.
     #[variable(unit = "m/s2", start = STRONGEST, min = 1e-6, max = STRONGEST)]
     pub acceleration_limit: R,
+    /// Least extension, before which the load comes to rest.
+    #[variable(unit = "m", start = -FARTHEST, min = -1e5, max = 1e5)]
+    pub length_min: R,
+    /// Greatest extension, before which the load comes to rest.
+    #[variable(unit = "m", start = FARTHEST, min = -1e5, max = 1e5)]
+    pub length_max: R,
 }
 
 #[derive(Clone, Variables)]
@@ -152,6 +180,7 @@ pub struct Inputs<R: Scalar> {
     pub velocity: VelocityInputs<R>,
     pub slew: SlewInputs<R>,
     pub luff: LuffInputs<R>,
+    pub hoist: HoistInputs<R>,
     pub trolley: TrolleyInputs<R>,
     pub extension: ExtensionInputs<R>,
     pub base: BaseInputs<R>,
@@ -183,6 +212,13 @@ pub struct LuffInputs<R: Scalar> {
     /// Angle of the boom above the horizontal.
     #[variable(unit = "rad", start = std::f64::consts::FRAC_PI_4)]
     pub angle: R,
+}
+
+#[derive(Clone, Variables)]
+pub struct HoistInputs<R: Scalar> {
+    /// Suspension length, for the ends of its range only.
+    #[variable(unit = "m", start = 10.0)]
+    pub length: R,
 }
 
 #[derive(Clone, Variables)]

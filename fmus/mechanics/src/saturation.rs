@@ -1,8 +1,9 @@
 //! What is left of a motion when axes come to their limits (thesis 3.3, eqs. 3.20 and 3.21): all rates get slower by the
 //! same share, so that the load goes on along its path.
 
-use crate::axes::{AXES, Axis, AxisRates};
-use crate::cartesian::{Machine, Margin, Pace};
+use crate::axes::{AXES, Axis, AxisRates, RateRanges};
+use crate::cartesian::Machine;
+use crate::singular::{Margin, Pace};
 
 /// Which rates get slower together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -36,8 +37,8 @@ impl Saturated {
 /// What holds axes back.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Restraint {
-    /// The greatest rate of each axis (rad/s, m/s).
-    pub limits: AxisRates,
+    /// Between which rates each axis can move (rad/s, m/s).
+    pub limits: RateRanges,
     /// How close to a singular position the load gets slower.
     pub margin: Margin,
     /// Which rates get slower together.
@@ -50,13 +51,13 @@ impl Machine {
     pub fn saturate(&self, [first, second]: [AxisRates; 2], pace: Pace, restraint: &Restraint) -> Saturated {
         let Restraint { limits, margin, scaling } = restraint;
         let still = AxisRates::zeros();
-        let free = self.ranges(&AxisRates::repeat(f64::INFINITY), pace, *margin);
+        let free = self.ranges(RateRanges::either_way(&AxisRates::repeat(f64::INFINITY)), pace, *margin);
         let slow_first = free.share(&still, &first);
         let first = first * slow_first;
         let slow_second = free.share(&first, &second);
         let second = second * slow_second;
 
-        let ranges = self.ranges(limits, pace, *margin);
+        let ranges = self.ranges(*limits, pace, *margin);
         let [hoist, line] = [Axis::Hoist as usize, Axis::HoistLine as usize];
         let counts = |axis| *scaling == Scaling::Uniform || ![hoist, line].contains(&axis);
         let share_first = ranges.share_of(&still, &first, counts);
@@ -104,7 +105,7 @@ mod tests {
     fn restraint(limits: &[(Axis, f64)], scaling: Scaling) -> Restraint {
         let mut all = AxisRates::repeat(1e3);
         limits.iter().for_each(|(axis, limit)| all[*axis as usize] = *limit);
-        Restraint { limits: all, margin: MARGIN, scaling }
+        Restraint { limits: RateRanges::either_way(&all), margin: MARGIN, scaling }
     }
 
     /// What is left of a velocity (radial, tangential, upwards).
@@ -214,7 +215,7 @@ mod tests {
     fn rates_keep_to_limits_and_direction() {
         let mut law = restraint(&[], Scaling::Uniform);
         for limit in [0.0, 0.02, 0.3, 1e3] {
-            law.limits = AxisRates::repeat(limit);
+            law.limits = RateRanges::either_way(&AxisRates::repeat(limit));
             for (machine, velocity) in cases() {
                 let motion = left(&machine, velocity, &law);
                 let wanted = machine.rates(velocity.into()) * motion.second;

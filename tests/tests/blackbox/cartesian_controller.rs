@@ -306,6 +306,68 @@ fn the_crane_keeps_height_and_line_through_saturation() {
     assert!((height - 8.158).abs() < 0.005 && off < 1e-5, "{height} m, {off} m");
 }
 
+/// A crane that is told to move on where its controller knows an end: how far its load strays from its height, and where its joints
+/// come to rest. It samples with steps of 10 ms and looks ahead by half of one.
+fn against_an_end(machine: &str, end: (&str, f64), velocity: [f64; 2]) -> (f64, Instance, Instance) {
+    let [end, look_ahead] = [(end.0, end.1.into()), ("look_ahead", Set::Real(0.5 * STEP))];
+    let (plant, pivot, joint, rate) = match machine {
+        "Boom" => ("BoomCrane", "tip", "luff.angle", "luff.rate"),
+        _ => ("TowerCrane", "trolley", "trolley.radius", "trolley.rate"),
+    };
+    let mut plant = Instance::started(plant, STEP, &[]);
+    let values = [end, look_ahead, ("machine", machine.into()), ("frame", "Crane".into())];
+    let accelerations = ["luff", "hoist", "slew", "trolley"].map(|axis| format!("{axis}.acceleration_limit"));
+    let accelerations = accelerations.each_ref().map(|name| (name.as_str(), Set::Real(0.2)));
+    let mut controller = controller(&[&values[..], &accelerations].concat());
+    set(&mut controller, &[("velocity.x", velocity[0]), ("velocity.z", velocity[1])]);
+    let height = |plant: &mut Instance| plant.get(&format!("{pivot}.z")) - plant.get("hoist.length");
+    let (start, mut strays) = (height(&mut plant), 0.0_f64);
+    for _ in 0..4000 {
+        let joints = ["slew.angle", "hoist.length", joint].map(|name| (name, plant.get(name)));
+        set(&mut controller, &joints);
+        controller.step();
+        set(&mut plant, &["slew.rate", "hoist.rate", rate].map(|name| (name, controller.get(name))));
+        plant.step();
+        assert!(!plant.get_switch("at_limit"), "{machine} at {} s", plant.time());
+        strays = strays.max((height(&mut plant) - start).abs());
+    }
+    (strays, controller, plant)
+}
+
+/// A joint that comes to its end takes all others with it: nothing is left that would lift or lower the load. The crane's own
+/// stops are not reached.
+#[test]
+fn a_load_comes_to_rest_at_the_end_of_a_joint() {
+    for (machine, joint, end, velocity) in [
+        ("Boom", "luff.angle", ("luff.angle_max", 1.1), [-0.5, 0.0]),
+        ("Boom", "luff.angle", ("luff.angle_min", 0.6), [0.5, 0.0]),
+        ("Boom", "hoist.length", ("hoist.length_min", 7.0), [0.5, 0.0]),
+        ("Boom", "hoist.length", ("hoist.length_max", 12.0), [-0.5, 0.0]),
+        ("Tower", "trolley.radius", ("trolley.radius_max", 30.0), [0.5, 0.0]),
+        ("Tower", "trolley.radius", ("trolley.radius_min", 12.0), [-0.5, 0.0]),
+        ("Tower", "hoist.length", ("hoist.length_max", 12.0), [0.0, -0.4]),
+    ] {
+        let (strays, mut controller, mut plant) = against_an_end(machine, end, velocity);
+        let (at, end) = (plant.get(joint), end.1);
+        println!("{machine} {joint}: {:.1e} from its end, height {strays:.1e} m", (at - end).abs());
+        // What is held for a step is half a step early or late.
+        assert!((at - end).abs() < 1e-6 && (velocity[1] != 0.0 || strays < 1e-5), "{machine} {at}: {strays} m");
+        assert!(controller.get("speed_fraction") < 1e-3 && controller.get_switch("saturated"), "{machine} {joint}");
+        // And back it goes.
+        set(&mut controller, &[("velocity.x", -velocity[0]), ("velocity.z", -velocity[1])]);
+        for _ in 0..400 {
+            let joints = ["hoist.length", joint].map(|name| (name, plant.get(name)));
+            set(&mut controller, &joints);
+            controller.step();
+            let rates: &[&str] =
+                if machine == "Boom" { &["luff.rate", "hoist.rate"] } else { &["trolley.rate", "hoist.rate"] };
+            set(&mut plant, &rates.iter().map(|name| (*name, controller.get(name))).collect::<Vec<_>>());
+            plant.step();
+        }
+        assert!((plant.get(joint) - end).abs() > 0.02 && controller.get("speed_fraction") == 1.0, "{machine} {joint}");
+    }
+}
+
 /// Between two samples the rates are held, in both versions alike.
 #[test]
 fn rates_are_held_between_samples() {

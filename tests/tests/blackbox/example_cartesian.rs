@@ -58,6 +58,31 @@ fn the_boom_cranes_load_keeps_its_height_through_saturation() {
     assert!(thesis > 0.05 && unknown > 0.05 && sudden > 0.01, "{thesis} m, {unknown} m, {sudden} m");
 }
 
+/// A lever that is kept over until the boom can go no lower, and likewise until the hoist can go no higher. The drives make up
+/// for nothing that is not told, so the load stands at its height; where the controller knows no ends, the hoist runs on.
+#[test]
+fn at_the_end_of_its_boom_the_crane_keeps_the_loads_height() {
+    let lever =
+        ["x_command.kind=Constant", "x_command.amplitude=-0.6", "y_command.kind=Constant", "y_command.amplitude=0"];
+    let low = ["z_command.kind=Constant", "z_command.amplitude=0", "crane.hoist.length_min=0.5"];
+    let run = |values: &[&str]| run_until("cartesian-boom-crane", "0.01", 24.0, &[&lever[..], &low, values].concat());
+    for (end, value) in
+        [("luff.angle", "controller.hoist.length_min=0.6"), ("hoist.length", "controller.hoist.length_min=3.1")]
+    {
+        let record = run(&[value]);
+        let height = strays(&record, &HEIGHT, 24.0);
+        println!("{end}: {:.2} mm of height", 1e3 * height);
+        assert!(height < 1e-3 && record["crane.at_limit"].iter().all(|flag| *flag == 0.0), "{end}: {height} m");
+        assert!(last(&record, "controller.speed_fraction") < 1e-6 && last(&record, "controller.saturated") == 1.0);
+        let at = last(&record, &format!("crane.{end}"));
+        assert!((at - if end == "luff.angle" { 0.36 } else { 3.1 }).abs() < 1e-4, "{end} {at}");
+    }
+    let unknown =
+        run(&["crane.luff.angle_min=0.45", "controller.luff.angle_min=-1e6", "controller.hoist.length_min=0"]);
+    let height = strays(&unknown, &HEIGHT, 24.0);
+    assert!(height > 1.5, "{height} m");
+}
+
 /// The shapers stand before the controller and do not know what the joints do.
 #[test]
 fn shapers_still_what_moves_along_lines() {
