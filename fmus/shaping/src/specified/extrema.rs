@@ -9,6 +9,11 @@ pub(crate) type Jet = [f64; 3];
 ///
 /// `points` equidistant samples must resolve the function: between two of them it bends one way or hardly at all.
 pub(crate) fn minima(range: RangeInclusive<f64>, points: usize, function: impl Fn(f64) -> Jet) -> Vec<(f64, Jet)> {
+    minima_of(range, points, &function)
+}
+
+/// The same, in one piece of code for all functions: all this is in FMUs.
+fn minima_of(range: RangeInclusive<f64>, points: usize, function: &dyn Fn(f64) -> Jet) -> Vec<(f64, Jet)> {
     let (first, last) = range.into_inner();
     if first == last {
         return vec![(first, function(first))];
@@ -24,7 +29,7 @@ pub(crate) fn minima(range: RangeInclusive<f64>, points: usize, function: impl F
     }
     for (point, pair) in samples.windows(2).enumerate() {
         if falls(pair[0]) && !falls(pair[1]) {
-            let at = stationary(place(point), place(point + 1), &function);
+            let at = stationary(place(point), place(point + 1), function);
             found.push((at, function(at)));
         }
     }
@@ -35,7 +40,7 @@ pub(crate) fn minima(range: RangeInclusive<f64>, points: usize, function: impl F
 }
 
 /// Newton's method for a zero of the slope, which rises from `low` to `high`, within a bracket.
-fn stationary(mut low: f64, mut high: f64, function: impl Fn(f64) -> Jet) -> f64 {
+fn stationary(mut low: f64, mut high: f64, function: &dyn Fn(f64) -> Jet) -> f64 {
     let mut at = 0.5 * (low + high);
     for _ in 0..60 {
         let [_, slope, curvature] = function(at);
