@@ -19,6 +19,8 @@ const FOUND_PROBLEMS: i32 = 3;
 
 fn swayless(arguments: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_swayless"));
+    // Help is wrapped and coloured as these say.
+    command.env_remove("COLUMNS").env_remove("CLICOLOR_FORCE");
     command.args(arguments).current_dir(env!("CARGO_MANIFEST_DIR")).output().expect("the command starts")
 }
 

@@ -152,7 +152,7 @@ proptest! {
         std::fs::write(&path, &bytes).unwrap();
         let begin = std::time::Instant::now();
         let opened = Unpacked::open_with(&path, Limits { bytes: 1 << 20, ..Limits::default() });
-        prop_assert!(begin.elapsed().as_secs() < 5);
+        prop_assert!(begin.elapsed().as_secs() < 30);
         prop_assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
         drop(opened);
     }

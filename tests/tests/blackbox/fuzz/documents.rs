@@ -107,7 +107,7 @@ fn broken_documents_are_read_or_refused_in_useful_time() {
             let _ = ssp::read_parameters(&text);
             let _ = ssp::read_mapping(&text);
             let took = begin.elapsed();
-            if took > Duration::from_secs(5) {
+            if took > Duration::from_secs(30) {
                 return Err(TestCaseError::fail(format!("{} bytes took {took:?}", text.len())));
             }
             Ok(())
