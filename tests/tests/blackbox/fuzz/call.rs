@@ -5,7 +5,10 @@ use swayless_modeldesc::types::DataType;
 /// A call with its arguments.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Call {
-    SetDebugLogging { on: bool, categories: Vec<String> },
+    SetDebugLogging {
+        on: bool,
+        categories: Vec<String>,
+    },
     SetupExperiment(Experiment),
     EnterInitialization(Experiment),
     ExitInitialization,
@@ -13,7 +16,12 @@ pub enum Call {
     Reset,
     Get(Access),
     Set(Access, Values),
-    DoStep { time: f64, size: f64 },
+    GetTiming(Timing, Access),
+    SetTiming(Timing, Access, Vec<f64>),
+    DoStep {
+        time: f64,
+        size: f64,
+    },
     EnterEvent,
     Update,
     EnterContinuousTime,
@@ -35,7 +43,8 @@ pub enum Call {
     FreeState(usize),
     Serialize(usize),
     Deserialize(usize, Vec<u8>),
-    Status(i32),
+    /// By one of the five functions, of one of the kinds.
+    Status(u8, i32),
     CancelStep,
     EnterConfiguration,
     ExitConfiguration,
@@ -61,6 +70,15 @@ pub struct Access {
     pub count: usize,
     /// The values' array is NULL.
     pub null: bool,
+}
+
+/// What of clocks to get or set, and how it is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Timing {
+    /// Shifts, not intervals.
+    pub shift: bool,
+    /// As fractions, not as decimals.
+    pub fraction: bool,
 }
 
 /// Values to set; as many as `count` says.

@@ -227,10 +227,16 @@ impl Host for Instance {
                     let pointer = array(bytes, false).cast();
                     self.f.fmi2DeSerializeFMUstate?(i, pointer, bytes.len(), &mut self.states[*slot])
                 }
-                Call::Status(kind) => {
-                    let mut time = UNTOUCHED;
-                    let status = self.f.fmi2GetRealStatus?(i, *kind, &mut time);
-                    bits = vec![time.to_bits()];
+                Call::Status(function, kind) => {
+                    let (mut time, mut number, mut flag, mut text, mut of) = (UNTOUCHED, -1, -1, null(), -1);
+                    let status = match function {
+                        0 => self.f.fmi2GetRealStatus?(i, *kind, &mut time),
+                        1 => self.f.fmi2GetIntegerStatus?(i, *kind, &mut number),
+                        2 => self.f.fmi2GetBooleanStatus?(i, *kind, &mut flag),
+                        3 => self.f.fmi2GetStringStatus?(i, *kind, &mut text),
+                        _ => self.f.fmi2GetStatus?(i, *kind, &mut of),
+                    };
+                    bits = vec![time.to_bits(), number as u64, flag as u64, of as u64];
                     status
                 }
                 Call::CancelStep => self.f.fmi2CancelStep?(i),
@@ -241,6 +247,8 @@ impl Host for Instance {
                 | Call::ExitConfiguration
                 | Call::EvaluateDiscrete
                 | Call::Activate(..)
+                | Call::GetTiming(..)
+                | Call::SetTiming(..)
                 | Call::Dependencies(_) => return None,
             }
         };

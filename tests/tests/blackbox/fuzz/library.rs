@@ -6,7 +6,7 @@ use std::ptr::NonNull;
 
 use swayless::Fmu;
 use swayless_abi::{fmi2, fmi3};
-use swayless_modeldesc::types::{DataType, FmiVersion, ModelDescription};
+use swayless_modeldesc::types::{Causality, DataType, FmiVersion, ModelDescription, Variable};
 
 use super::call::{Answer, Call};
 use super::{host2, host3};
@@ -20,6 +20,8 @@ pub enum Kind {
     EventMode {
         early_return: bool,
     },
+    /// FMI 3.0.
+    ScheduledExecution,
 }
 
 /// An instance under test. It is freed when dropped, in whatever phase it is.
@@ -97,6 +99,12 @@ impl Subject {
         }
     }
 
+    /// A clock that the importer ticks.
+    pub fn input_clock(&self) -> u32 {
+        let is_clock = |v: &&Variable| v.data_type == DataType::Clock && v.causality == Causality::Input;
+        self.description.variables.iter().find(is_clock).expect("a clock").value_reference
+    }
+
     /// The ways in which instances can be made.
     pub fn kinds(&self) -> Vec<Kind> {
         let mut kinds = Vec::new();
@@ -111,6 +119,9 @@ impl Subject {
             if interface.has_event_mode {
                 kinds.extend([false, true].map(|early_return| Kind::EventMode { early_return }));
             }
+        }
+        if self.description.scheduled_execution.is_some() {
+            kinds.push(Kind::ScheduledExecution);
         }
         kinds
     }

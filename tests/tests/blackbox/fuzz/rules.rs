@@ -16,6 +16,8 @@ pub enum Mode {
     Event,
     ContinuousTime,
     Step,
+    /// Where model partitions of scheduled execution are activated.
+    ClockActivation,
     Terminated,
     /// Structural parameters are set, before initialization.
     Configuration,
@@ -26,7 +28,8 @@ pub enum Mode {
 }
 
 use Mode::{
-    Configuration, ContinuousTime, Error, Event, Initialization, Instantiated, Reconfiguration, Step, Terminated,
+    ClockActivation, Configuration, ContinuousTime, Error, Event, Initialization, Instantiated, Reconfiguration, Step,
+    Terminated,
 };
 
 /// The calls by name; the arguments are made elsewhere.
@@ -42,6 +45,10 @@ pub enum Name {
     Set,
     GetClock,
     SetClock,
+    GetInterval,
+    SetInterval,
+    GetShift,
+    SetShift,
     DoStep,
     EnterEvent,
     Update,
@@ -95,6 +102,7 @@ enum Kinds {
     /// Where the importer handles events.
     WithEvents,
     EventModeOfCoSimulation,
+    ScheduledExecution,
     /// FMUs with structural parameters.
     Structural,
     /// Behind a capability that no FMU offers yet.
@@ -102,10 +110,20 @@ enum Kinds {
 }
 
 const BOTH: &[FmiVersion] = &[V2, V3];
-const ANY: &[Mode] =
-    &[Instantiated, Initialization, Event, ContinuousTime, Step, Terminated, Configuration, Reconfiguration, Error];
+const ANY: &[Mode] = &[
+    Instantiated,
+    Initialization,
+    Event,
+    ContinuousTime,
+    Step,
+    ClockActivation,
+    Terminated,
+    Configuration,
+    Reconfiguration,
+    Error,
+];
 /// FMI 2.0 lets an importer look at values where a run has ended or failed; FMI 3.0 is stricter after an error.
-const LOOKING: &[Mode] = &[Initialization, Event, ContinuousTime, Step, Terminated];
+const LOOKING: &[Mode] = &[Initialization, Event, ContinuousTime, Step, ClockActivation, Terminated];
 const FAILED: &[Mode] = &[Error];
 
 impl Rule {
@@ -133,17 +151,22 @@ pub const RULES: &[Rule] = &[
     Rule::new(Name::EnterInitialization, 12, Kinds::All, &[Instantiated]),
     Rule::new(Name::ExitInitialization, 8, Kinds::All, &[Initialization]),
     // Reconfiguration Mode is within the state Initialized of FMI 3.0.
-    Rule::new(Name::Terminate, 1, Kinds::All, &[Event, ContinuousTime, Step, Reconfiguration]).certain(),
+    Rule::new(Name::Terminate, 1, Kinds::All, &[Event, ContinuousTime, Step, ClockActivation, Reconfiguration])
+        .certain(),
     Rule::new(Name::Reset, 1, Kinds::All, ANY).certain(),
     Rule::new(Name::Get, 8, Kinds::All, LOOKING).tolerated(&[Instantiated, Configuration, Reconfiguration, Error]),
     Rule::new(
         Name::Set,
         10,
         Kinds::All,
-        &[Instantiated, Initialization, Event, ContinuousTime, Step, Configuration, Reconfiguration],
+        &[Instantiated, Initialization, Event, ContinuousTime, Step, ClockActivation, Configuration, Reconfiguration],
     ),
-    Rule::new(Name::GetClock, 1, Kinds::WithEvents, &[Event]).only(&[V3]),
+    Rule::new(Name::GetClock, 1, Kinds::All, &[Event, ClockActivation]).only(&[V3]),
     Rule::new(Name::SetClock, 1, Kinds::WithEvents, &[Event]).only(&[V3]),
+    Rule::new(Name::GetInterval, 1, Kinds::All, &[Initialization, Event, ClockActivation]).only(&[V3]),
+    Rule::new(Name::SetInterval, 1, Kinds::All, &[Initialization, Event, ClockActivation]).only(&[V3]),
+    Rule::new(Name::GetShift, 1, Kinds::All, &[Initialization]).only(&[V3]),
+    Rule::new(Name::SetShift, 1, Kinds::All, &[Initialization]).only(&[V3]),
     Rule::new(Name::DoStep, 20, Kinds::CoSimulation, &[Step]),
     Rule::new(Name::EnterEvent, 3, Kinds::WithEvents, &[ContinuousTime, Step]).tolerated(&[Event]).certain(),
     Rule::new(Name::Update, 8, Kinds::WithEvents, &[Event]),
@@ -173,14 +196,19 @@ pub const RULES: &[Rule] = &[
     // A run that has begun may be reconfigured by tunable structural parameters only; without, the FMU may refuse.
     Rule::new(Name::EnterConfiguration, 2, Kinds::Structural, &[Instantiated])
         .only(&[V3])
-        .tolerated(&[Step, Event])
+        .tolerated(&[Step, Event, ClockActivation])
         .certain(),
     Rule::new(Name::ExitConfiguration, 6, Kinds::Structural, &[Configuration, Reconfiguration]).only(&[V3]).certain(),
     Rule::new(Name::EvaluateDiscrete, 1, Kinds::WithEvents, &[Event]).only(&[V3]),
-    Rule::new(Name::Activate, 1, Kinds::None, &[]).only(&[V3]),
-    Rule::new(Name::Dependencies, 1, Kinds::All, &[Instantiated, Initialization, Event, ContinuousTime, Step])
-        .only(&[V3])
-        .tolerated(&[Terminated, Configuration, Reconfiguration, Error]),
+    Rule::new(Name::Activate, 20, Kinds::ScheduledExecution, &[ClockActivation]).only(&[V3]),
+    Rule::new(
+        Name::Dependencies,
+        1,
+        Kinds::All,
+        &[Instantiated, Initialization, Event, ContinuousTime, Step, ClockActivation],
+    )
+    .only(&[V3])
+    .tolerated(&[Terminated, Configuration, Reconfiguration, Error]),
 ];
 
 /// What must come of a call.
@@ -203,9 +231,10 @@ impl Rule {
         let for_this_kind = match self.kinds {
             Kinds::All => true,
             Kinds::ModelExchange => kind == Kind::ModelExchange,
-            Kinds::CoSimulation => kind != Kind::ModelExchange,
+            Kinds::CoSimulation => kind == Kind::CoSimulation || event_mode,
             Kinds::WithEvents => kind == Kind::ModelExchange || event_mode,
             Kinds::EventModeOfCoSimulation => event_mode,
+            Kinds::ScheduledExecution => kind == Kind::ScheduledExecution,
             Kinds::Structural => structural,
             Kinds::None => false,
         };
@@ -224,6 +253,7 @@ pub fn next(call: &Call, kind: Kind, mode: Mode) -> Mode {
     match call {
         Call::EnterInitialization(_) => Initialization,
         Call::ExitInitialization if kind == Kind::CoSimulation => Step,
+        Call::ExitInitialization if kind == Kind::ScheduledExecution => ClockActivation,
         Call::ExitInitialization | Call::EnterEvent => Event,
         Call::EnterContinuousTime => ContinuousTime,
         Call::EnterStep => Step,
@@ -231,6 +261,7 @@ pub fn next(call: &Call, kind: Kind, mode: Mode) -> Mode {
         Call::EnterConfiguration => Reconfiguration,
         Call::ExitConfiguration if mode == Configuration => Instantiated,
         Call::ExitConfiguration if kind == Kind::ModelExchange => Event,
+        Call::ExitConfiguration if kind == Kind::ScheduledExecution => ClockActivation,
         Call::ExitConfiguration => Step,
         Call::Terminate => Terminated,
         Call::Reset => Instantiated,

@@ -3,7 +3,7 @@
 use arbitrary::{Result, Unstructured};
 use swayless_modeldesc::types::{Causality, DataType, FmiVersion, ModelDescription, Start, Variable};
 
-use super::call::{Access, Call, Experiment, Sensitivity, Values};
+use super::call::{Access, Call, Experiment, Sensitivity, Timing, Values};
 use super::rules::Name;
 
 /// Those whose functions take any number of values; clocks have calls of their own.
@@ -70,6 +70,12 @@ impl Script<'_> {
                 let values = self.values(u, &access)?;
                 Call::Set(access, values)
             }
+            Name::GetInterval | Name::GetShift => Call::GetTiming(timing(u, name == Name::GetShift)?, self.clocks(u)?),
+            Name::SetInterval | Name::SetShift => {
+                let (of, clocks) = (timing(u, name == Name::SetShift)?, self.clocks(u)?);
+                let times = (0..clocks.count).map(|_| float(u)).collect::<Result<_>>()?;
+                Call::SetTiming(of, clocks, times)
+            }
             Name::DoStep => {
                 let time = if rarely(u)? { float(u)? } else { self.time };
                 Call::DoStep { time, size: step(u)? }
@@ -119,12 +125,15 @@ impl Script<'_> {
                 }
                 Call::Deserialize(slot(u)?, bytes)
             }
-            Name::Status => Call::Status(u.int_in_range(-1..=5)?),
+            Name::Status => Call::Status(u.int_in_range(0..=4)?, u.int_in_range(-1..=5)?),
             Name::CancelStep => Call::CancelStep,
             Name::EnterConfiguration => Call::EnterConfiguration,
             Name::ExitConfiguration => Call::ExitConfiguration,
             Name::EvaluateDiscrete => Call::EvaluateDiscrete,
-            Name::Activate => Call::Activate(u.arbitrary()?, self.time),
+            Name::Activate => {
+                let time = if rarely(u)? { float(u)? } else { self.time + step(u)? };
+                Call::Activate(self.reference(u, |v| v.data_type == DataType::Clock)?, time)
+            }
             Name::Dependencies => Call::Dependencies(self.reference(u, |_| true)?),
         })
     }
@@ -267,6 +276,11 @@ pub fn extent(variable: &Variable) -> usize {
             Start::Binary(values) => values.len(),
         },
     )
+}
+
+/// Of clocks that have no fractions, these are asked for one time in four.
+fn timing(u: &mut Unstructured<'_>, shift: bool) -> Result<Timing> {
+    Ok(Timing { shift, fraction: u.int_in_range(0..=3_u8)? == 3 })
 }
 
 /// One time in twelve.

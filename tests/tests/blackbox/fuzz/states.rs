@@ -31,6 +31,7 @@ fn under_way(subject: &Subject, kind: Kind) -> (Vec<u8>, f64) {
         Kind::ModelExchange => calls.extend([Call::Update, Call::EnterContinuousTime]),
         Kind::EventMode { .. } => calls.extend([Call::Update, Call::EnterStep, Call::DoStep { time: 0.0, size: 0.1 }]),
         Kind::CoSimulation => calls.push(Call::DoStep { time: 0.0, size: 0.1 }),
+        Kind::ScheduledExecution => calls.push(Call::Activate(subject.input_clock(), 0.1)),
     }
     for call in calls {
         assert_eq!(host.play(&call).expect("a function").status, 0, "{call:?}");

@@ -1,13 +1,16 @@
 //! An instance of FMI 3.0.
 
+mod clocks;
+mod sensitivity;
+mod values;
+
 use std::ffi::{CStr, CString, c_void};
 use std::ptr::{null, null_mut};
 
 use swayless_abi::fmi3::*;
-use swayless_modeldesc::types::DataType;
 
-use super::call::{Access, Answer, Call, Sensitivity, Values};
-use super::library::{Host, Kind, SLOTS, UNTOUCHED, array, array_mut, hash};
+use super::call::{Answer, Call};
+use super::library::{Host, Kind, SLOTS, UNTOUCHED, array, array_mut};
 
 type Messages = Vec<(i32, std::string::String)>;
 
@@ -28,42 +31,6 @@ unsafe extern "C" fn log(environment: *mut c_void, status: Status, category: Str
     }
 }
 
-macro_rules! get {
-    ($self:ident, $function:ident, $access:ident, $of:expr) => {{
-        let mut values = vec![Default::default(); $access.count];
-        let (references, null) = (&$access.references, $access.null);
-        // SAFETY: an instance; as many references and places as announced, or NULL.
-        let status = unsafe {
-            ($self.f.$function?)(
-                $self.instance,
-                array(references, null && references.is_empty()),
-                references.len(),
-                array_mut(&mut values, null),
-                values.len(),
-            )
-        };
-        Answer { status, bits: values.into_iter().map($of).collect(), ..Answer::default() }
-    }};
-}
-
-macro_rules! set {
-    ($self:ident, $function:ident, $access:ident, $values:expr) => {{
-        let values = $values;
-        let references = &$access.references;
-        // SAFETY: an instance; as many references and values as announced, or NULL.
-        let status = unsafe {
-            ($self.f.$function?)(
-                $self.instance,
-                array(references, false),
-                references.len(),
-                array(&values, $access.null),
-                values.len(),
-            )
-        };
-        Answer { status, ..Answer::default() }
-    }};
-}
-
 impl Instance {
     /// Without a resource path, there is no logger either.
     pub fn new(f: Functions, kind: Kind, token: &CStr, resources: Option<&CString>) -> Self {
@@ -75,6 +42,7 @@ impl Instance {
         let loud = u8::from(resources.is_some());
         let make_me = f.fmi3InstantiateModelExchange.expect("a function");
         let make_cs = f.fmi3InstantiateCoSimulation.expect("a function");
+        let make_se = f.fmi3InstantiateScheduledExecution.expect("a function");
         let (event_mode, early) = match kind {
             Kind::EventMode { early_return } => (1, early_return.into()),
             _ => (0, 0),
@@ -84,6 +52,7 @@ impl Instance {
         let instance = unsafe {
             match kind {
                 Kind::ModelExchange => make_me(name, token, path, 0, loud, environment, logger),
+                Kind::ScheduledExecution => make_se(name, token, path, 0, loud, environment, logger, None, None, None),
                 _ => {
                     let none = std::ptr::without_provenance(4);
                     make_cs(name, token, path, 0, loud, event_mode, early, none, 0, environment, logger, None)
@@ -92,132 +61,6 @@ impl Instance {
         };
         assert!(!instance.is_null(), "{messages:?}");
         Self { f, instance, states: [null_mut(); SLOTS], log: messages }
-    }
-
-    fn get(&self, access: &Access) -> Option<Answer> {
-        Some(match access.data_type {
-            DataType::Float64 => get!(self, fmi3GetFloat64, access, f64::to_bits),
-            DataType::Float32 => get!(self, fmi3GetFloat32, access, |v: f32| v.to_bits().into()),
-            DataType::Int8 => get!(self, fmi3GetInt8, access, |v: i8| v as u64),
-            DataType::UInt8 => get!(self, fmi3GetUInt8, access, |v: u8| v as u64),
-            DataType::Int16 => get!(self, fmi3GetInt16, access, |v: i16| v as u64),
-            DataType::UInt16 => get!(self, fmi3GetUInt16, access, |v: u16| v as u64),
-            DataType::Int32 => get!(self, fmi3GetInt32, access, |v: i32| v as u64),
-            DataType::UInt32 => get!(self, fmi3GetUInt32, access, |v: u32| v as u64),
-            DataType::Int64 | DataType::Enumeration => get!(self, fmi3GetInt64, access, |v: i64| v as u64),
-            DataType::UInt64 => get!(self, fmi3GetUInt64, access, |v: u64| v),
-            DataType::Boolean => get!(self, fmi3GetBoolean, access, |v: u8| v.into()),
-            DataType::String => {
-                let mut texts = vec![null(); access.count];
-                // SAFETY: an instance; as many references and places as announced, or NULL.
-                let status = unsafe {
-                    (self.f.fmi3GetString?)(
-                        self.instance,
-                        array(&access.references, false),
-                        access.references.len(),
-                        array_mut(&mut texts, access.null),
-                        texts.len(),
-                    )
-                };
-                // SAFETY: NULL is left out; what an instance returns ends with a NUL and stays until the next call.
-                let read =
-                    |text: &*const i8| (!text.is_null()).then(|| hash(unsafe { CStr::from_ptr(*text) }.to_bytes()));
-                Answer { status, bits: texts.iter().filter_map(read).collect(), ..Answer::default() }
-            }
-            DataType::Binary => {
-                let (mut sizes, mut values) = (vec![0_usize; access.count], vec![null(); access.count]);
-                // SAFETY: as above.
-                let status = unsafe {
-                    (self.f.fmi3GetBinary?)(
-                        self.instance,
-                        array(&access.references, false),
-                        access.references.len(),
-                        array_mut(&mut sizes, access.null),
-                        array_mut(&mut values, access.null),
-                        access.count,
-                    )
-                };
-                Answer { status, ..Answer::default() }
-            }
-            DataType::Clock => {
-                let mut values = vec![0_u8; access.references.len()];
-                let (n, references) = (access.references.len(), array(&access.references, false));
-                // SAFETY: as above.
-                let status = unsafe {
-                    (self.f.fmi3GetClock?)(self.instance, references, n, array_mut(&mut values, access.null))
-                };
-                Answer { status, bits: values.into_iter().map(Into::into).collect(), ..Answer::default() }
-            }
-        })
-    }
-
-    fn set(&self, access: &Access, values: &Values) -> Option<Answer> {
-        Some(match (access.data_type, values) {
-            (DataType::Float64, Values::Floats(v)) => set!(self, fmi3SetFloat64, access, v.clone()),
-            (DataType::Float32, Values::Floats(v)) => {
-                set!(self, fmi3SetFloat32, access, v.iter().map(|v| *v as f32).collect::<Vec<_>>())
-            }
-            (DataType::Int8, Values::Integers(v)) => {
-                set!(self, fmi3SetInt8, access, v.iter().map(|v| *v as i8).collect::<Vec<_>>())
-            }
-            (DataType::UInt8, Values::Integers(v)) => {
-                set!(self, fmi3SetUInt8, access, v.iter().map(|v| *v as u8).collect::<Vec<_>>())
-            }
-            (DataType::Int16, Values::Integers(v)) => {
-                set!(self, fmi3SetInt16, access, v.iter().map(|v| *v as i16).collect::<Vec<_>>())
-            }
-            (DataType::UInt16, Values::Integers(v)) => {
-                set!(self, fmi3SetUInt16, access, v.iter().map(|v| *v as u16).collect::<Vec<_>>())
-            }
-            (DataType::Int32, Values::Integers(v)) => {
-                set!(self, fmi3SetInt32, access, v.iter().map(|v| *v as i32).collect::<Vec<_>>())
-            }
-            (DataType::UInt32, Values::Integers(v)) => {
-                set!(self, fmi3SetUInt32, access, v.iter().map(|v| *v as u32).collect::<Vec<_>>())
-            }
-            (DataType::Int64 | DataType::Enumeration, Values::Integers(v)) => {
-                set!(self, fmi3SetInt64, access, v.clone())
-            }
-            (DataType::UInt64, Values::Integers(v)) => {
-                set!(self, fmi3SetUInt64, access, v.iter().map(|v| *v as u64).collect::<Vec<_>>())
-            }
-            (DataType::Boolean, Values::Booleans(v)) => set!(self, fmi3SetBoolean, access, v.clone()),
-            (DataType::String, Values::Texts(texts)) => {
-                let owned: Vec<_> =
-                    texts.iter().map(|text| text.clone().map(|t| CString::new(t).expect("no NUL"))).collect();
-                let pointers = owned.iter().map(|text| text.as_ref().map_or(null(), |text| text.as_ptr()));
-                set!(self, fmi3SetString, access, pointers.collect::<Vec<_>>())
-            }
-            (DataType::Clock, Values::Booleans(v)) => {
-                let references = array(&access.references, false);
-                // SAFETY: as many clocks as references are announced.
-                let status = unsafe {
-                    (self.f.fmi3SetClock?)(self.instance, references, access.references.len(), array(v, access.null))
-                };
-                Answer { status, ..Answer::default() }
-            }
-            _ => return None,
-        })
-    }
-
-    fn sensitivity(&self, adjoint: bool, with: &Sensitivity) -> Option<Answer> {
-        let mut places = vec![UNTOUCHED; with.count];
-        let function = if adjoint { self.f.fmi3GetAdjointDerivative } else { self.f.fmi3GetDirectionalDerivative };
-        // SAFETY: an instance; arrays as long as announced.
-        let status = unsafe {
-            function?(
-                self.instance,
-                array(&with.unknowns, false),
-                with.unknowns.len(),
-                array(&with.knowns, false),
-                with.knowns.len(),
-                array(&with.seed, false),
-                with.seed.len(),
-                array_mut(&mut places, false),
-                places.len(),
-            )
-        };
-        Some(Answer { status, bits: places.into_iter().map(f64::to_bits).collect(), ..Answer::default() })
     }
 }
 
@@ -257,6 +100,8 @@ impl Host for Instance {
                 Call::Terminate => self.f.fmi3Terminate?(i),
                 Call::Reset => self.f.fmi3Reset?(i),
                 Call::Get(access) => return self.get(access),
+                Call::GetTiming(of, clocks) => return self.get_timing(*of, clocks),
+                Call::SetTiming(of, clocks, times) => return self.set_timing(*of, clocks, times),
                 Call::Set(access, values) => return self.set(access, values),
                 Call::DoStep { time, size } => {
                     let (mut event, mut terminate, mut early, mut last) = (9, 9, 9, UNTOUCHED);
@@ -379,7 +224,7 @@ impl Host for Instance {
                     }
                     status
                 }
-                Call::SetupExperiment(_) | Call::InputDerivatives(..) | Call::Status(_) | Call::CancelStep => {
+                Call::SetupExperiment(_) | Call::InputDerivatives(..) | Call::Status(..) | Call::CancelStep => {
                     return None;
                 }
             }
