@@ -199,6 +199,17 @@ fn the_counterweight_raises_the_cart() {
     close(cart.get("cart.velocity") / time, number(&data["2.40: average acceleration"]), 1e-9);
 }
 
+/// Without friction the masses alone decide: the relation behind Table 2.4.
+#[test]
+fn the_cart_accelerates_by_the_ratio_of_its_masses() {
+    for row in rows("table 2.4, without friction: M/m, acceleration/g") {
+        let values = [("rig.counterweight_mass", 2.5 * row[0]), ("rig.mass", 2.5), ("rig.friction", 0.0)];
+        // Away from the ends of its travel, at which a cart that is pulled against them rests.
+        let mut cart = Pendulum::started(&rig(&[&values[..], &[("cart.z", 0.6)]].concat()));
+        close(cart.get("cart.acceleration"), row[1] * GRAVITY, 1e-14);
+    }
+}
+
 /// At the end of its travel the cart stops dead, which is the limit of braking it ever faster.
 #[test]
 fn a_stop_is_the_limit_of_hard_braking() {

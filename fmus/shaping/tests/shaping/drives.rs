@@ -102,31 +102,52 @@ fn degradation_up_to_where_ramps_meet() {
     }
 }
 
-/// The cases of 5.2 once more, now by the prediction: pulses of 3 s at 0.17 m/s.
+/// What pulses at 0.17 m/s leave under a drive with these time constants (mm), by the shaper's name.
+fn pulse(taus: [f64; 2], duration: f64) -> impl Fn(&str) -> f64 {
+    let load = mode((9.81_f64 / 0.84).sqrt(), 0.0);
+    let [a, b] = taus;
+    let drive = Drive::FirstOrder { acceleration_time_constant: a, braking_time_constant: b };
+    let design = compensated(load, a, b, CompensatedForm::ClosedForm).expect("a design");
+    move |name| {
+        let one = match name {
+            "UMZV" => designed(Kind::UMZV, load.frequency(), 0.0),
+            "ZV" => designed(Kind::ZV, load.frequency(), 0.0),
+            _ => Shaper::unshaped(),
+        };
+        let (up, down) = if name == "UMZVc" { (&design.accelerating, &design.braking) } else { (&one, &one) };
+        let train = |shaper: &Shaper, start: f64, change: f64| -> Vec<(f64, f64)> {
+            shaper.impulses().iter().map(|impulse| (start + impulse.time, change * impulse.amplitude)).collect()
+        };
+        let mut changes = [train(up, 0.0, 0.17), train(down, duration, -0.17)].concat();
+        changes.sort_by(|a, b| a.0.total_cmp(&b.0));
+        1e3 * residual_amplitude(changes, load, drive, 0.0).expect("a drive")
+    }
+}
+
+/// The cases of 5.2 once more, now by the prediction: pulses of 3 s.
 #[test]
 fn unequal_time_constants() {
     let all: Value = serde_json::from_str(include_str!("data/compensated.json")).unwrap();
-    let load = mode((9.81_f64 / 0.84).sqrt(), 0.0);
     for row in all["closed"].as_array().unwrap() {
-        let [a, b] = ["tau_a", "tau_b"].map(|name| number(&row[name]));
-        let drive = Drive::FirstOrder { acceleration_time_constant: a, braking_time_constant: b };
-        let design = compensated(load, a, b, CompensatedForm::ClosedForm).unwrap();
-        let unity = designed(Kind::UMZV, load.frequency(), 0.0);
-        let zv = designed(Kind::ZV, load.frequency(), 0.0);
-        let bare = Shaper::unshaped();
-        for (name, up, down) in [
-            ("UMZVc", &design.accelerating, &design.braking),
-            ("UMZV", &unity, &unity),
-            ("ZV", &zv, &zv),
-            ("None", &bare, &bare),
-        ] {
-            let train = |shaper: &Shaper, start: f64, change: f64| -> Vec<(f64, f64)> {
-                shaper.impulses().iter().map(|impulse| (start + impulse.time, change * impulse.amplitude)).collect()
-            };
-            let changes = [train(up, 0.0, 0.17), train(down, 3.0, -0.17)].concat();
-            let left = 1e3 * residual_amplitude(changes, load, drive, 0.0).unwrap();
-            let expected = number(&row["pulse"][name]);
+        let left = pulse(["tau_a", "tau_b"].map(|name| number(&row[name])), 3.0);
+        for name in ["UMZVc", "UMZV", "ZV", "None"] {
+            let (left, expected) = (left(name), number(&row["pulse"][name]));
             assert!((left - expected).abs() < 1e-6 * expected + 1e-10, "{name}: {left} for {row}");
+        }
+    }
+}
+
+/// Figs. 5.19, 5.24 and 5.28: pulses that are short or long, and those between, whose ends meet.
+#[test]
+fn pulses_of_any_duration() {
+    let all: Value = serde_json::from_str(include_str!("data/pulses.json")).unwrap();
+    for case in all["cases"].as_array().unwrap() {
+        for row in case["rows"].as_array().unwrap() {
+            let left = pulse(["tau_a", "tau_b"].map(|name| number(&case[name])), number(&row[0]));
+            for (i, name) in all["columns"].as_array().unwrap().iter().enumerate().skip(1) {
+                let (left, expected) = (left(name.as_str().unwrap()), number(&row[i]));
+                assert!((left - expected).abs() < 1e-6 * expected + 1e-10, "{name}: {left} for {row}");
+            }
         }
     }
 }

@@ -41,6 +41,20 @@ fn undamped_shapers_and_their_insensitivity() {
     }
 }
 
+/// Fig. 2.14: shapers for 5.9 rad/s at the ends of what the luffing rig's frequency ranges over.
+#[test]
+fn sensitivity_of_the_luffing_shapers() {
+    for (kind, lower, upper) in [
+        (Kind::ZV, 0.388_824_175_473_320_54, 0.364_160_575_252_821_97),
+        (Kind::ZVD, 0.151_184_239_432_507_53, 0.132_612_924_568_466_2),
+        (Kind::EI, 0.108_743_451_404_132_9, 0.089_243_570_796_889_48),
+    ] {
+        let shaper = designed(kind, 5.9, 0.0);
+        close(residual_vibration(&shaper, 4.4, 0.0), lower, 1e-14);
+        close(residual_vibration(&shaper, 7.3, 0.0), upper, 1e-14);
+    }
+}
+
 #[test]
 fn damped_unity_magnitude_times() {
     for row in table("UMZV_damped") {
