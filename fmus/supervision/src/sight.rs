@@ -67,6 +67,11 @@ impl Sight {
         self.seen.is_some() && self.blind == 0.0
     }
 
+    /// Doubts what has been read: the next reading may be anywhere.
+    pub(crate) fn doubt(&mut self) {
+        self.seen = None;
+    }
+
     /// Whether all is finite.
     pub(crate) fn is_sound(&self) -> bool {
         let numbers = [self.position, self.seen.unwrap_or_default(), self.blind, self.moved, self.travel];

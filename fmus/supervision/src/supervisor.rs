@@ -81,7 +81,12 @@ impl Supervisor {
     /// Takes a sample.
     pub fn sample(&mut self, times: Times, settings: &Settings, seen: &Observation) {
         if self.last != Some(times.now) {
+            let is_second = self.last.is_some() && self.previous.is_none();
             (self.previous, self.before) = (self.last, self.now);
+            if is_second {
+                // The first may have seen what inputs are declared to be, before anybody has set them.
+                self.before.sight.iter_mut().for_each(Sight::doubt);
+            }
             self.last = Some(times.now);
         }
         let since = self.previous.map_or(0.0, |previous| (times.now - previous).clamp(0.0, LONGEST));

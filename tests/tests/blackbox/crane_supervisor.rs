@@ -188,6 +188,16 @@ fn with_a_real_drive_the_reaction_time_keeps_the_trolley_in_its_range() {
     assert!(far.0 > 5.01 && near.0 <= 5.0 + 1e-9 && near.1 > 4.99, "{far:?} m, {near:?} m");
 }
 
+/// Inputs that are set after initialization: the first sample has seen the trolley elsewhere.
+#[test]
+fn a_crane_may_be_seen_first_when_it_is_stepped() {
+    let mut supervisor = supervisor(&[]);
+    for _ in 0..60 {
+        look(&mut supervisor, 0.0, (4.0, true));
+    }
+    assert_eq!(item(&mut supervisor, "state"), READY);
+}
+
 #[test]
 fn a_range_that_is_none_is_refused() {
     let mut supervisor = Instance::new("CraneSupervisor", FmiVersion::V3, STEP);

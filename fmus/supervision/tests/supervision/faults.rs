@@ -94,6 +94,23 @@ fn a_jump_is_not_believed_and_then_is_a_fault() {
     assert_eq!(plant.supervisor.finding(), Finding { fault: Fault::PositionImplausible, axis: 1 });
 }
 
+/// An importer that sets its inputs after initialization: the first sample saw what they are declared to be.
+#[test]
+fn what_the_first_sample_saw_is_no_measure() {
+    let mut plant = Plant::new(settings());
+    plant.position[0] = 0.0;
+    plant.step(asked(0.0));
+    plant.position[0] = 4.0;
+    plant.run(0.0, 1.0);
+    assert_eq!(plant.supervisor.finding(), Finding::NONE);
+    plant.run(0.5, 0.4);
+    assert_eq!(plant.velocity(), 0.5);
+    // From then on it is one.
+    plant.position[0] = 0.0;
+    plant.run(0.5, 1.0);
+    assert_eq!(plant.supervisor.finding(), Finding { fault: Fault::PositionImplausible, axis: 1 });
+}
+
 /// What does not move is found when it should have gone 2 s at full speed, however fast that is.
 #[test]
 fn an_axis_that_does_not_move_is_a_fault() {
