@@ -21,7 +21,7 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::{Complex, SMatrix, SVector};
 
-use crate::continuation::Pace;
+use crate::continuation::{Pace, confirmed};
 use crate::even::Even;
 use crate::{DesignError, Kind, Mode, Shaper, binomial};
 
@@ -40,7 +40,7 @@ pub(crate) fn design(mode: Mode, limit: f64) -> Result<Shaper, DesignError> {
             kind: Kind::EI,
             damping_ratio: zeta,
             vibration_limit: Some(limit),
-            nearest_damping_ratio: Some(nearest),
+            nearest_damping_ratio: Some(confirmed(nearest, |zeta| solve(zeta, limit))),
         })?
     };
     let [a2, a3, x2, ..] = solution.0;

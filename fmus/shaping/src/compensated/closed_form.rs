@@ -27,7 +27,9 @@ pub(super) fn train(mode: Mode, growing: f64, falling: f64) -> Result<Shaper, Co
     let beta = 0.5 * up.hypot(1.0) / down.hypot(1.0);
     if beta > 1.0 {
         let (which, value) = (TimeConstant::Acceleration, growing);
-        return Err(CompensatedError::Unequal { which, value, longest: longest(down) / omega });
+        // not so long that rounding puts β above 1
+        let longest = longest(down) * (1.0 - 4.0 * f64::EPSILON) / omega;
+        return Err(CompensatedError::Unequal { which, value, longest });
     }
     // atan(1/y) = π/2 − atan y, and acos(2β² − 1) = 2 acos β as β ≥ 0
     let (lead, angle) = (up.atan() - down.atan(), beta.acos());

@@ -49,6 +49,7 @@ pub fn compensated(
     braking_time_constant: f64,
     form: CompensatedForm,
 ) -> Result<Compensated, CompensatedError> {
+    use CompensatedError::NotFound;
     use TimeConstant::{Acceleration, Braking};
     for (which, value) in [(Acceleration, acceleration_time_constant), (Braking, braking_time_constant)] {
         let shares = value * mode.frequency();
@@ -68,8 +69,17 @@ pub fn compensated(
         CompensatedForm::ExactRamp => ramp::train(mode, &unity, growing, falling),
         CompensatedForm::ClosedForm => closed_form::train(mode, growing, falling),
     };
-    let accelerating = train(acceleration_time_constant, braking_time_constant)?;
+    let accelerating = train(acceleration_time_constant, braking_time_constant);
     // seen from the speed before, a falling speed is a growing one
-    let braking = train(braking_time_constant, acceleration_time_constant).map_err(CompensatedError::exchanged)?;
-    Ok(Compensated { accelerating, braking })
+    let braking = train(braking_time_constant, acceleration_time_constant).map_err(CompensatedError::exchanged);
+    match (accelerating, braking) {
+        (Ok(accelerating), Ok(braking)) => Ok(Compensated { accelerating, braking }),
+        // what is feasible is so for both
+        (Err(NotFound { feasible_share: one, .. }), Err(error @ NotFound { feasible_share: other, .. }))
+            if other < one =>
+        {
+            Err(error)
+        }
+        (Err(error), _) | (_, Err(error)) => Err(error),
+    }
 }

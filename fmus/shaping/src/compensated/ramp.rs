@@ -3,7 +3,7 @@
 use nalgebra::{Complex, Matrix2, Vector2};
 
 use super::error::CompensatedError;
-use crate::continuation::Pace;
+use crate::continuation::{Pace, confirmed};
 use crate::mode::damped_share;
 use crate::{Mode, Shaper};
 
@@ -14,16 +14,19 @@ pub(super) fn train(mode: Mode, unity: &Shaper, growing: f64, falling: f64) -> R
     let pole = Complex::new(zeta, damped_share(zeta));
     let at = |share: f64| Ramps { pole, growing: growing * omega * share, falling: falling * omega * share };
     let start = Vector2::new(unity.impulses()[1].time * omega, unity.impulses()[2].time * omega);
-    let solve = |guess: &Vector2<f64>, share| at(share).newton(*guess).filter(|times| (times - guess).amax() < NEAR);
-    match PACE.follow(1.0, |_| start, solve) {
-        Ok(times) => Ok(Shaper::of([(0.0, 1.0), (times.x / omega, -1.0), (times.y / omega, 1.0)])),
-        Err(feasible_share) => Err(CompensatedError::NotFound {
-            damping_ratio: zeta,
-            acceleration_time_constant: growing,
-            braking_time_constant: falling,
-            feasible_share,
-        }),
-    }
+    let near = |guess: &Vector2<f64>, share| at(share).newton(*guess).filter(|times| (times - guess).amax() < NEAR);
+    // of that share of both time constants
+    let solve = |whole: f64| {
+        let follow = PACE.follow(1.0, |_| start, |guess, share| near(guess, whole * share));
+        follow.map_err(|share| whole * share)
+    };
+    let times = solve(1.0).map_err(|share| CompensatedError::NotFound {
+        damping_ratio: zeta,
+        acceleration_time_constant: growing,
+        braking_time_constant: falling,
+        feasible_share: confirmed(share, solve),
+    })?;
+    Ok(Shaper::of([(0.0, 1.0), (times.x / omega, -1.0), (times.y / omega, 1.0)]))
 }
 
 /// Farther from the guess, in radians, it might be another branch.

@@ -20,7 +20,7 @@ mod undamped;
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::continuation::Pace;
+use crate::continuation::{Pace, confirmed};
 use crate::differences::FARTHEST;
 use crate::{DesignError, Kind, Mode, Shaper, binomial};
 use system::System;
@@ -87,7 +87,8 @@ impl Form {
             nearest_damping_ratio: damping_ratio,
         };
         let start = undamped(limit).ok_or(none(None))?;
-        let design = self.follow(start, zeta, |zeta| (zeta, limit)).map_err(|nearest| none(Some(nearest)))?;
+        let solve = |zeta| self.follow(start, zeta, |zeta| (zeta, limit));
+        let design = solve(zeta).map_err(|nearest| none(Some(confirmed(nearest, solve))))?;
         let per_radian = 1.0 / mode.damped_frequency();
         Ok(Shaper::of::<N>(std::array::from_fn(|i| (design.phases[i] * per_radian, design.amplitudes[i]))))
     }

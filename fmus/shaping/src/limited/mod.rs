@@ -104,8 +104,8 @@ impl Limited {
 ///
 /// # Errors
 /// [`LimitedError`] for a vibration limit that is none, for a bare ramp of more than three periods, and where damping is so large
-/// that pulses touch or no solution is found. Solutions exist for all bare ramps up to one damped period if ζ ≤ 0.2, and up to two
-/// periods if ζ ≤ 0.15.
+/// that pulses touch or no solution is found. For V ≤ 0.2 solutions exist for all bare ramps up to one damped period if ζ ≤ 0.2, and
+/// up to two periods if ζ ≤ 0.15.
 pub fn limited(mode: Mode, ramp: Ramp, vibration_limit: f64) -> Result<Limited, LimitedError> {
     if !(0.0..1.0).contains(&vibration_limit) {
         return Err(LimitedError::VibrationLimit { value: vibration_limit });

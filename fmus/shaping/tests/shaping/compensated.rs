@@ -197,6 +197,23 @@ fn refusals_name_what_is_wrong() {
     assert!(compensated(mode(1.0, 0.0), 2.0 * feasible_share, 0.0, CompensatedForm::ExactRamp).is_ok());
 }
 
+/// Both trains must exist for what is named, and where it is a bound, rounding must not put it outside.
+#[test]
+fn the_time_constants_that_are_named_have_a_design() {
+    for (zeta, a, b) in [(0.0, 0.0, 590.8), (0.15, 0.0, 3.11), (0.0, 2.644, 0.0), (0.2, 0.0006, 2239.0)] {
+        let error = compensated(mode(1.0, zeta), a, b, CompensatedForm::ExactRamp).unwrap_err();
+        let CompensatedError::NotFound { feasible_share: share, .. } = error else { panic!("{error}") };
+        let less = compensated(mode(1.0, zeta), a * share, b * share, CompensatedForm::ExactRamp);
+        assert!(share > 0.0 && less.is_ok(), "{error}");
+    }
+    for (a, b) in [(78.21697833250359, 1.204423842096674), (4.617702689080338, 4542.891313963797), (2.4177, 0.218)] {
+        let error = compensated(mode(1.0, 0.0), a, b, CompensatedForm::ClosedForm).unwrap_err();
+        let CompensatedError::Unequal { which, longest, .. } = error else { panic!("{error}") };
+        let (a, b) = if which == TimeConstant::Acceleration { (longest, b) } else { (a, longest) };
+        assert!(compensated(mode(1.0, 0.0), a, b, CompensatedForm::ClosedForm).is_ok(), "{error}");
+    }
+}
+
 /// The braking time constant of figs 5.24 and 5.28, and the limits they are marked with.
 #[test]
 fn pulses_are_short_or_long_or_interfere() {

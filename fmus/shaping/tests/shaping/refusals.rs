@@ -42,6 +42,23 @@ fn overdamped_beyond_resolution() {
     assert!(error.to_string().contains("UMZV") && error.to_string().contains("0.9999"));
 }
 
+/// Next to where solutions end it depends on the way there which is found: what is named must have a design by the usual way.
+#[test]
+fn the_damping_that_is_named_has_a_design() {
+    for (kind, zeta, limit) in [
+        (Kind::EI, 0.4798564794277395, 0.13913829295322),
+        (Kind::EI, 0.3212, 0.37956),
+        (Kind::EI, 0.7613997174387181, 0.08603813691333247),
+        (Kind::TwoHumpEI, 0.2749984882702156, 0.490570358894267),
+        (Kind::ThreeHumpEI, 0.16675354288261907, 0.3304001267084628),
+        (Kind::ThreeHumpEI, 0.41252934018957516, 0.3838782743449283),
+    ] {
+        let error = design(kind, mode(1.0, zeta), limit).unwrap_err();
+        let DesignError::NoSolution { nearest_damping_ratio: Some(nearest), .. } = error else { panic!("{error}") };
+        assert!(nearest < zeta && design(kind, mode(1.0, nearest), limit).is_ok(), "{error}");
+    }
+}
+
 #[test]
 fn impulse_trains() {
     let one = |time, amplitude| Impulse { time, amplitude };

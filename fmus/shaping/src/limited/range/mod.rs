@@ -38,8 +38,8 @@ pub(super) const FLOOR: f64 = 0.005;
 /// # Errors
 /// [`LimitedError`] for a range, damping ratio or limit that is none, for a bare ramp of more than three periods of the range's
 /// middle, for a limit below 0.001, for a command that would be too long or have too many pulses, where damping makes waiting the
-/// best of commands, and where the search takes too long or ends without a proof. It does for one in a thousand whose limit is
-/// about 0.005 and whose bare ramp is about as long as a period, and for one in a hundred thousand with limits of 0.02 or more.
+/// best of commands, and where the search takes too long or ends without a proof. It does for one in fifty whose limit is 0.005 to
+/// 0.007 and whose bare ramp is about as long as a period; with limits above that none is known.
 pub fn limited_insensitivity(
     range: Band,
     damping_ratio: f64,
