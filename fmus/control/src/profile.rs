@@ -17,21 +17,26 @@ impl Limits {
         wanted.clamp(-self.velocity, self.velocity).clamp(velocity - change, velocity + change)
     }
 
-    /// The velocity for the next `interval` (s) of the fastest way over a `distance` (m) to rest there, now at `velocity`.
+    /// The greatest speed (m/s) from which one can still stop in a `way` (m), braking every `interval` (s).
     ///
     /// Braking by a·Δt at each sample from v takes the way v Δt + (v − aΔt) Δt + … = (v² + a Δt v)/2a, if v is a multiple
-    /// of aΔt; so the greatest velocity from which one can still stop is v = −aΔt/2 + √((aΔt/2)² + 2 a s), and following
-    /// that law brakes by exactly aΔt. The last sample takes what is left. Since it looks at nothing but where it is and how
-    /// fast, it makes a new plan at every sample.
+    /// of aΔt; so that speed is v = −aΔt/2 + √((aΔt/2)² + 2 a s), and following that law brakes by exactly aΔt. The last
+    /// sample takes what is left.
+    #[must_use]
+    pub fn braking(&self, way: f64, interval: f64) -> f64 {
+        let half = 0.5 * self.acceleration * interval;
+        (half.hypot((2.0 * self.acceleration * way).sqrt()) - half).max(0.0).min(way / interval)
+    }
+
+    /// The velocity for the next `interval` (s) of the fastest way over a `distance` (m) to rest there, now at `velocity`.
+    ///
+    /// Since it looks at nothing but where it is and how fast, it makes a new plan at every sample.
     #[must_use]
     pub fn to_rest_after(&self, distance: f64, velocity: f64, interval: f64) -> f64 {
         if interval <= 0.0 {
             return velocity;
         }
-        let half = 0.5 * self.acceleration * interval;
-        let way = distance.abs();
-        let fastest = (half.hypot((2.0 * self.acceleration * way).sqrt()) - half).min(way / interval);
-        self.towards(fastest.copysign(distance), velocity, interval)
+        self.towards(self.braking(distance.abs(), interval).copysign(distance), velocity, interval)
     }
 }
 

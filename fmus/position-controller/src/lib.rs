@@ -37,6 +37,7 @@ fn settings(p: &Parameters<f64>, u: &Inputs<f64>) -> Settings {
         form: match p.form {
             variables::Form::Planned => Form::Planned,
             variables::Form::InLoop => Form::InLoop,
+            variables::Form::PlainLoop => Form::PlainLoop,
         },
         limits: Limits { velocity: p.velocity_limit, acceleration: p.acceleration_limit },
         feedback: Feedback { position_gain: p.position_gain, sway_gain: p.sway_gain, lead_time: p.lead_time },

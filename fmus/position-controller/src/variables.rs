@@ -23,8 +23,10 @@ pub const READ: [&str; 10] = [
 pub enum Form {
     /// A shaped move is planned, and feedback acts on what deviates from the plan.
     Planned,
-    /// The shaper sits in the position loop, designed for the poles that sway feedback gives the crane.
+    /// The shaper sits in the position loop, designed for the poles that sway feedback gives the crane, with a prediction.
     InLoop,
+    /// The same without the prediction.
+    PlainLoop,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Enumeration)]

@@ -98,14 +98,25 @@ fn a_planned_move_is_exact_and_settles_in_ten_seconds() {
     assert!(found.told < 10.0, "{found:?}");
 }
 
+/// As much gain as the prediction allows.
+const IN_LOOP: [(&str, &str); 2] = [("trolley_controller.form", "InLoop"), ("trolley_controller.position_gain", "1.5")];
+
 #[test]
-fn with_the_shaper_in_the_loop_a_move_is_as_exact_and_takes_longer() {
-    let in_loop = ("trolley_controller.form", "InLoop");
-    let found = run(&[NO_PUSH, in_loop], 40.0).judge();
+fn a_move_with_the_shaper_in_the_loop_is_exact_and_settles_in_ten_seconds() {
+    let found = run(&[&[NO_PUSH], &IN_LOOP[..]].concat(), 20.0).judge();
     println!("in the loop: {found:.2?}");
+    assert!(found.error < 5.0 && found.residual < 5.0 && found.overshoot < 20.0 && found.settled < 10.0, "{found:?}");
+    assert!(found.told < 10.0, "{found:?}");
+}
+
+#[test]
+fn without_a_prediction_a_move_takes_twenty_seconds_or_overshoots() {
+    let plain = [NO_PUSH, ("trolley_controller.form", "PlainLoop")];
+    let found = run(&plain, 40.0).judge();
+    println!("without a prediction: {found:.2?}");
     assert!(found.error < 5.0 && found.residual < 5.0 && found.overshoot < 20.0, "{found:?}");
     assert!((15.0..30.0).contains(&found.settled), "{found:?}");
-    let hasty = run(&[NO_PUSH, in_loop, ("trolley_controller.position_gain", "0.25")], 40.0).judge();
+    let hasty = run(&[&plain[..], &[("trolley_controller.position_gain", "0.25")]].concat(), 40.0).judge();
     println!("with K_p = 0.25: {hasty:.2?}");
     assert!(hasty.overshoot > 100.0, "{hasty:?}");
 }
@@ -120,13 +131,14 @@ fn a_push_decays_faster_than_with_plain_feedback_that_sees_at_once() {
         ("trolley_controller.mode", "Hold"),
     ];
     for more in [
-        ("trolley_controller.form", "Planned"),
-        ("trolley_controller.form", "InLoop"),
-        ("trolley_controller.mode", "Manual"),
+        &[("trolley_controller.form", "Planned")][..],
+        &IN_LOOP,
+        &[("trolley_controller.form", "PlainLoop")],
+        &[("trolley_controller.mode", "Manual")],
     ] {
-        let course = run(&[&pushed[..], &[more]].concat(), 47.0);
+        let course = run(&[&pushed[..], more].concat(), 47.0);
         let found = course.envelope();
-        println!("{} {}: {found:.1?} mm", more.0, more.1);
+        println!("{more:?}: {found:.1?} mm");
         assert!(found.iter().zip([242.4, 122.8, 39.2]).all(|(found, plain)| *found < plain), "{more:?}: {found:?} mm");
     }
 }

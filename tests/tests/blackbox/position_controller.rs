@@ -34,13 +34,14 @@ const STILL: [(&str, Set<'_>); 2] = [("sway_gain", Set::Real(0.0)), ("sample_tim
 #[test]
 fn it_goes_to_stored_targets_and_to_others_and_holds() {
     let places: Vec<f64> = (0..16).map(|i| 10.0 + f64::from(i)).collect();
-    for form in ["Planned", "InLoop"] {
+    for (form, gain) in [("Planned", 0.14), ("InLoop", 1.5), ("PlainLoop", 0.14)] {
         let mut controller = Instance::new("PositionController", FmiVersion::V3, STEP);
         controller.set_all("stored_target", &places);
         for (name, value) in STILL {
             controller.set(name, value).expect("a value");
         }
         controller.set("form", form).expect("a form");
+        controller.set("position_gain", gain).expect("a gain");
         for name in ["hook.valid", "position.valid"] {
             controller.set(name, true).expect("a truth value");
         }
@@ -116,6 +117,32 @@ fn a_loop_that_would_grow_is_told() {
     controller.set("sway_gain", 3.0).expect("tunable");
     controller.step();
     assert!(controller.get_switch("valid"));
+}
+
+/// With the prediction the loop knows of no delay: a gain that would swing up with the shaper's delay (more than
+/// π/2 a delay, 0.7 1/s) takes the trolley to its target without overshoot, within the time of braking and shaper.
+#[test]
+fn the_prediction_takes_the_shapers_delay_out_of_the_loop() {
+    let run_to = |form: &str| {
+        let mut controller = controller(
+            &[
+                &STILL[..],
+                &[("form", form.into()), ("position_gain", 1.5.into()), ("drive.natural_frequency", 1e3.into())],
+                &[("mode", "GoTo".into()), ("target.position", 1.25.into())],
+            ]
+            .concat(),
+        );
+        let (mut place, mut farthest) = (0.0, 0.0_f64);
+        for _ in 0..450 {
+            place = run(&mut controller, place, 1);
+            farthest = farthest.max(place);
+        }
+        (place, farthest)
+    };
+    let (place, farthest) = run_to("InLoop");
+    assert!((place - 1.25).abs() < 5e-3 && farthest < 1.251, "{place} m by {farthest} m");
+    let (_, farthest) = run_to("PlainLoop");
+    assert!(farthest > 1.5, "{farthest} m");
 }
 
 /// Switched off while it moves, it comes to rest as fast as it may, and when it is on again it goes on from where it is.

@@ -5,6 +5,7 @@ use super::now::Now;
 use super::{Form, Goal, Measured, Settings, Shown};
 use crate::crane::{BOUND, State};
 use crate::observer::Observer;
+use crate::poles::Feedback;
 use crate::shaped::Shaped;
 
 /// Time constant with which a plan forgets a swing that nothing in it explains (s).
@@ -79,7 +80,7 @@ impl Sample<'_> {
         }
         self.now.velocity = match self.settings.form {
             Form::Planned => self.plan(goal),
-            Form::InLoop => self.steer(goal),
+            Form::InLoop | Form::PlainLoop => self.steer(goal),
         };
         self.now.place = (self.now.place + self.now.velocity * self.interval).clamp(-BOUND, BOUND);
         let shaper = &self.designed.shaper;
@@ -127,24 +128,40 @@ impl Sample<'_> {
         }
     }
 
+    /// Where the trolley comes to rest (m) if it is to stop now: what is under way in shaper, drive and swing still gets there.
+    fn end(&self) -> f64 {
+        let Self { interval, settings, designed, .. } = *self;
+        let Now { estimate, trust, time, .. } = &*self.now;
+        let sway = Feedback { sway_gain: trust[0] * settings.feedback.sway_gain, ..settings.feedback };
+        // A command is held for an interval: it is as old as its middle.
+        let pending = self.shaped.pending(time - 0.5 * interval, &designed.shaper);
+        (settings.crane.comes_to_rest_at(*estimate, sway) + pending).clamp(-BOUND, BOUND)
+    }
+
     /// The unshaped velocity of the position loop.
     fn steer(&mut self, goal: Goal) -> f64 {
-        let Self { interval, settings, designed, .. } = *self;
-        let at_rest = self.now.velocity == 0.0 && self.shaped.is_steady(self.now.time, designed.shaper.duration());
+        let Self { interval, settings: Settings { form, limits, feedback, .. }, designed, .. } = *self;
+        let stops = self.now.velocity == 0.0;
+        let (place, stays) = if *form == Form::InLoop {
+            (self.end(), stops)
+        } else {
+            let is_steady = stops && self.shaped.is_steady(self.now.time, designed.shaper.duration());
+            (self.now.estimate.motion.position, is_steady)
+        };
         let now = &mut *self.now;
-        let place = now.estimate.motion.position;
         now.planned = now.estimate;
-        if goal == Goal::Hold && now.held.is_none() && at_rest && now.trust[1] > 0.0 {
+        if goal == Goal::Hold && now.held.is_none() && stays && now.trust[1] > 0.0 {
             now.held = Some(place);
         }
-        let gain = settings.feedback.position_gain * now.trust[1];
-        let wanted = match goal {
-            Goal::Velocity(wanted) => wanted,
-            Goal::Position(target) => gain * (target - place),
-            Goal::Hold => gain * (now.held.unwrap_or(place) - place),
+        let away = match goal {
+            Goal::Velocity(wanted) => return limits.towards(wanted, now.velocity, interval),
+            Goal::Position(target) => target - place,
+            Goal::Hold => now.held.unwrap_or(place) - place,
             Goal::Off => 0.0,
         };
-        settings.limits.towards(wanted, now.velocity, interval)
+        let wanted = feedback.position_gain * now.trust[1] * away;
+        let fastest = if *form == Form::InLoop { limits.braking(away.abs(), interval) } else { limits.velocity };
+        limits.towards(wanted.clamp(-fastest, fastest), now.velocity, interval)
     }
 
     /// What feedback adds (m/s).
@@ -153,7 +170,7 @@ impl Sample<'_> {
         let Now { estimate, planned, trust, .. } = &*self.now;
         let expected = match form {
             Form::Planned => planned.hook(),
-            Form::InLoop => [0.0; 2],
+            Form::InLoop | Form::PlainLoop => [0.0; 2],
         };
         let [place, rate] = estimate.hook();
         let swing = (place - expected[0] + feedback.lead_time * (rate - expected[1])) / crane.pendulum.hoist;
@@ -172,7 +189,7 @@ impl Sample<'_> {
         let goal_place = match (goal, settings.form) {
             (Goal::Position(target), _) => Some(target),
             (Goal::Hold, Form::Planned) => Some(place),
-            (Goal::Hold, Form::InLoop) => held,
+            (Goal::Hold, Form::InLoop | Form::PlainLoop) => held,
             (Goal::Velocity(_) | Goal::Off, _) => None,
         };
         let position_error = goal_place.map_or(0.0, |goal| goal - estimate.motion.position);

@@ -10,8 +10,11 @@ use crate::profile::Limits;
 pub enum Form {
     /// A shaped move is planned, and feedback acts on what deviates from the plan.
     Planned,
-    /// The shaper sits in the position loop, designed for the poles of the sway loop.
+    /// The shaper sits in the position loop, designed for the poles of the sway loop; a prediction takes its delay out of the
+    /// loop.
     InLoop,
+    /// The same without the prediction.
+    PlainLoop,
 }
 
 /// What the crane is to do.

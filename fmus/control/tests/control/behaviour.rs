@@ -13,7 +13,7 @@ fn keeps_its_limits(rows: &[Row]) {
     assert!(fastest <= FASTEST && steepest <= STEEPEST * (1.0 + 1e-12), "{fastest} m/s, {steepest} m/s²");
 }
 
-const FORMS: [Form; 2] = [Form::Planned, Form::InLoop];
+const FORMS: [Form; 3] = [Form::Planned, Form::InLoop, Form::PlainLoop];
 
 #[test]
 fn a_new_target_on_the_way_is_reached_as_well() {

@@ -35,6 +35,8 @@ pub struct Rig {
 }
 
 fn settings(form: Form) -> Settings {
+    // As much as each form can have.
+    let position_gain = if form == Form::InLoop { 1.5 } else { 0.14 };
     Settings {
         crane: Crane {
             pendulum: Pendulum { gravity: 9.81, hoist: 8.0, rigging: 3.0, mass_ratio: 0.5 },
@@ -42,7 +44,7 @@ fn settings(form: Form) -> Settings {
         },
         form,
         limits: Limits { velocity: FASTEST, acceleration: STEEPEST },
-        feedback: Feedback { position_gain: 0.14, sway_gain: 3.0, lead_time: 0.4 },
+        feedback: Feedback { position_gain, sway_gain: 3.0, lead_time: 0.4 },
         correction_limit: 0.35,
         uncertainty: Uncertainty { noise: 0.003, disturbance: 0.02, wander: 0.001, start: 0.05, offset: 0.02 },
         hook_latency: 0.12,
