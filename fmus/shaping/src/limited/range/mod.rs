@@ -32,14 +32,15 @@ pub(super) const FLOOR: f64 = 0.005;
 ///
 /// Where the bare ramp itself leaves next to nothing, 0.5 % of what an ideal step leaves is added to that as a root of squares.
 /// The limit is kept, and no shorter command keeps it, to 1e-9 (1e-5 of the limit where a pulse is about to appear or two to merge).
-/// As v_f → 0 it tends to SI. Allocates and takes milliseconds, for wide ranges up to a tenth of a second and with damping up to a
-/// second: not meant for the inside of a simulation step.
+/// As v_f → 0 it tends to SI. Allocates and takes milliseconds, for wide ranges up to a tenth of a second, with damping up to a
+/// second, and with both, ramps of two or three periods and a limit of about 0.01 several: not meant for the inside of a simulation
+/// step.
 ///
 /// # Errors
 /// [`LimitedError`] for a range, damping ratio or limit that is none, for a bare ramp of more than three periods of the range's
 /// middle, for a limit below 0.001, for a command that would be too long or have too many pulses, where damping makes waiting the
 /// best of commands, and where the search takes too long or ends without a proof. It does for one in fifty whose limit is 0.005 to
-/// 0.007 and whose bare ramp is about as long as a period; with limits above that none is known.
+/// 0.007 and whose bare ramp is about as long as a period, and for one in ten thousand with limits of 0.02 or more.
 pub fn limited_insensitivity(
     range: Band,
     damping_ratio: f64,
