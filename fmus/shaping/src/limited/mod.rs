@@ -15,7 +15,7 @@ use std::f64::consts::PI;
 
 use nalgebra::SVector;
 
-use crate::continuation::Pace;
+use crate::continuation::{Pace, confirmed};
 use crate::{Mode, Shaper, binomial, ei};
 use pulses::{Pulses, Unknowns};
 
@@ -111,8 +111,14 @@ pub fn limited(mode: Mode, ramp: Ramp, vibration_limit: f64) -> Result<Limited, 
         return Err(LimitedError::VibrationLimit { value: vibration_limit });
     }
     let half = 0.5 * ramp.time() * mode.damped_frequency();
+    let feasible = |share: f64| {
+        confirmed(share, |share| match share > 0.0 {
+            true => pulses(mode, half * share, vibration_limit).map(drop).map_err(|end| share * end.ramp()),
+            false => Ok(()),
+        })
+    };
     if half > LONGEST {
-        return Err(LimitedError::TooSlow { ramp, feasible_share: 0.999_999 * LONGEST / half });
+        return Err(LimitedError::TooSlow { ramp, feasible_share: feasible(0.999_999 * LONGEST / half) });
     }
     let ramp_time = ramp.time();
     let unlimited = |shaper| Limited { shaper, ramp_time };
@@ -125,26 +131,46 @@ pub fn limited(mode: Mode, ramp: Ramp, vibration_limit: f64) -> Result<Limited, 
             .map(unlimited)
             .map_err(|_| LimitedError::VibrationLimit { value: vibration_limit });
     }
-    let solution = follow(mode, |share| (half * share, vibration_limit * share)).or_else(|_| {
-        // one after the other, to find out which is to blame
-        follow(mode, |share| (0.0, vibration_limit * share)).map_err(|share| LimitedError::Damping {
+    let solution = pulses(mode, half, vibration_limit).map_err(|end| match end {
+        End::Limit(share) => LimitedError::Damping {
             damping_ratio: mode.damping_ratio(),
             vibration_limit,
             feasible_limit: vibration_limit * share,
-        })?;
-        follow(mode, |share| {
-            let first = (2.0 * share).min(1.0);
-            (half * (2.0 * share - 1.0).max(0.0), vibration_limit * first)
-        })
-        .map_err(|share| LimitedError::NoPulses {
-            ramp,
-            damping_ratio: mode.damping_ratio(),
-            feasible_share: (2.0 * share - 1.0).max(0.0),
-        })
+        },
+        End::Ramp(share) => {
+            LimitedError::NoPulses { ramp, damping_ratio: mode.damping_ratio(), feasible_share: feasible(share) }
+        }
     })?;
     let [starts, amplitudes] = solution.train(half, mode.damping_ratio() == 0.0);
     let per_radian = 1.0 / mode.damped_frequency();
     Ok(unlimited(Shaper::of::<3>(std::array::from_fn(|pulse| (starts[pulse] * per_radian, amplitudes[pulse])))))
+}
+
+/// Where solutions end.
+enum End {
+    /// At this share of the limit, even without a ramp.
+    Limit(f64),
+    /// At this share of the ramp.
+    Ramp(f64),
+}
+
+impl End {
+    fn ramp(self) -> f64 {
+        match self {
+            Self::Limit(_) => 0.0,
+            Self::Ramp(share) => share,
+        }
+    }
+}
+
+fn pulses(mode: Mode, half: f64, vibration_limit: f64) -> Result<Unknowns, End> {
+    follow(mode, |share| (half * share, vibration_limit * share)).or_else(|_| {
+        // one after the other, to find out which is to blame
+        follow(mode, |share| (0.0, vibration_limit * share)).map_err(End::Limit)?;
+        let ramp = |share: f64| (2.0 * share - 1.0).max(0.0);
+        follow(mode, |share| (half * ramp(share), vibration_limit * (2.0 * share).min(1.0)))
+            .map_err(|share| End::Ramp(ramp(share)))
+    })
 }
 
 /// Half the longest bare ramp, in radians: three periods.

@@ -153,6 +153,23 @@ fn dampings() -> impl Strategy<Value = f64> {
 
 proptest! {
     #[test]
+    fn what_a_refusal_names_has_a_design(zeta in 0.0..0.95_f64, share in 0.0..4.0_f64, limit in prop_oneof![Just(0.0), 0.0..0.6_f64]) {
+        let ramp = |factor: f64| Ramp::new(share * TAU * factor, 1.0).unwrap();
+        let design = |factor, limit| limited(mode(1.0, zeta), ramp(factor), limit);
+        match design(1.0, limit) {
+            Err(LimitedError::TooSlow { feasible_share, .. } | LimitedError::NoPulses { feasible_share, .. }) => {
+                prop_assert!((0.0..1.0).contains(&feasible_share));
+                prop_assert!(feasible_share == 0.0 || design(feasible_share, limit).is_ok(), "{feasible_share}");
+            }
+            Err(LimitedError::Damping { feasible_limit, .. }) => {
+                prop_assert!((0.0..limit).contains(&feasible_limit));
+                prop_assert!(design(0.0, feasible_limit).is_ok(), "{feasible_limit}");
+            }
+            other => prop_assert!(other.is_ok(), "{other:?}"),
+        }
+    }
+
+    #[test]
     fn leaves_what_is_allowed_and_no_slope(exponent in -3.0..3.0_f64, zeta in dampings(), share in 0.0..2.0_f64,
                                            limit in prop_oneof![Just(0.0), 0.0..0.15_f64]) {
         let mode = mode(10.0_f64.powf(exponent), zeta);
