@@ -4,7 +4,7 @@
 mod common;
 #[path = "common/pack.rs"]
 mod pack;
-#[path = "cli/shaper.rs"]
+#[path = "cli/shaper/mod.rs"]
 mod shaper;
 
 use std::io::Write;
